@@ -127,6 +127,65 @@ TEST(DeviceMain, TheTruthOfTheRoomIsThereFromTheStartAndAfterABox) {
             "echomap-fake: there is no place for a box of 200 mm at 0, 0 mm\n");
 }
 
+TEST(DeviceMain, SeveralRobotsRunPacedAndLeaveATruthEach) {
+  const tests::ScratchFolder folder;
+  const std::string link = folder / "robot";
+  const Outcome outcome = run({"--robots=2",
+                               "--starts=0.5,0.5,0;3.5,0.4,90",
+                               "--link=" + link,
+                               "--speed=max",
+                               "--duration=0.5",
+                               "--seed=4",
+                               "--truth=" + (folder / "truth").string()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_EQ(outcome.out,
+            "echomap-fake: uno_2wd in living_room listens on " + link +
+                ".0\n"
+                "echomap-fake: uno_2wd in living_room listens on " +
+                link + ".1\n");
+  const auto first =
+      nlohmann::json::parse(files::read_text_file(folder / "truth/robot0/truth.json"));
+  const auto second =
+      nlohmann::json::parse(files::read_text_file(folder / "truth/robot1/truth.json"));
+  EXPECT_EQ(first["seed"], 4);
+  EXPECT_NE(second["seed"], 4);
+  EXPECT_EQ(files::read_text_file(folder / "truth/robot1/truth.tum").substr(0, 26),
+            "0.000000 3.500000 0.400000");
+}
+
+TEST(DeviceMain, EachRobotOfATeamHasItsChannel) {
+  const tests::ScratchFolder folder;
+  Arguments arguments{"--robots=2",
+                      "--link=" + (folder / "robot").string(),
+                      "--lockstep=" + (folder / "lockstep").string(),
+                      "--truth=" + (folder / "truth").string()};
+  testing::internal::CaptureStderr();
+  auto exit_code = std::async(std::launch::async, [&] {
+    return run_device(arguments.argc(), arguments.argv(), fake_program);
+  });
+  ASSERT_TRUE(tests::eventually([&] { return std::filesystem::exists(folder / "lockstep.1"); }));
+  TestHost first = TestHost::connect_local(folder / "lockstep.0");
+  TestHost second = TestHost::connect_local(folder / "lockstep.1");
+  first.read_line();
+  second.read_line();
+  first.write("grant 30000 0\n");
+  second.write("box 0 0 200\ngrant 30000 0\n");
+  EXPECT_EQ(first.read_line(), "reached 30000 0");
+  EXPECT_EQ(second.read_line(), "reached 30000 0");
+  first.write("quit\n");
+  EXPECT_EQ(first.read_line(), "bye");
+  EXPECT_TRUE(std::filesystem::exists(folder / "truth/robot0/truth.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "truth/robot1/truth.json"));
+  second.close();
+  EXPECT_EQ(exit_code.get(), 0);
+  const auto truth =
+      nlohmann::json::parse(files::read_text_file(folder / "truth/robot1/truth.json"));
+  EXPECT_EQ(truth["stop"]["last_grant_ns"], 30'000'000);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("robot 1: there is no place for a box of 200 mm at 0, 0 mm\n"));
+  EXPECT_THAT(said, HasSubstr("echomap-fake: robot 1: the host vanished"));
+}
+
 TEST(DeviceMain, ABrokenWorldIsNamedWithItsPlaceAndCodeSix) {
   const tests::ScratchFolder folder;
   const std::string world = folder / "broken.toml";
@@ -140,6 +199,9 @@ TEST(DeviceMain, WhatDoesNotFitIsCodeSix) {
   EXPECT_EQ(run({"--start=2.0,1.2,0"}).exit_code, 6) << "in the table";
   EXPECT_EQ(run({"--start=0.05,1.0,0"}).exit_code, 6) << "too near to the wall";
   EXPECT_EQ(run({"--kidnap=1,1,2.0,1.2,0"}).exit_code, 6) << "put into the table";
+  const Outcome crowd = run({"--robots=16"});
+  EXPECT_EQ(crowd.exit_code, 6);
+  EXPECT_THAT(crowd.error, HasSubstr("no place for 16 robots"));
   const Outcome unknown = run({"--world=living_rom"});
   EXPECT_EQ(unknown.exit_code, 6);
   EXPECT_THAT(unknown.error, HasSubstr("living_room"));

@@ -112,6 +112,69 @@ TEST(DeviceOptions, PartsMayFail) {
   EXPECT_TRUE(std::get<DeviceOptions>(read({})).part_faults.empty());
 }
 
+TEST(DeviceOptions, SeveralRobotsHaveStartsOrDrawThem) {
+  const auto drawn = std::get<DeviceOptions>(read({"--robots=4", "--starts=drawn", "--apart=3"}));
+  EXPECT_EQ(drawn.robots, 4U);
+  EXPECT_TRUE(drawn.draws_starts);
+  EXPECT_TRUE(drawn.starts.empty());
+  EXPECT_EQ(drawn.apart_m, 3.0);
+  const auto given = std::get<DeviceOptions>(read({"--robots=2", "--starts=1,2,90;-3,4.5,0"}));
+  ASSERT_EQ(given.starts.size(), 2U);
+  EXPECT_NEAR(given.starts[0].heading_rad(), geometry::radians(90.0), 1e-12);
+  EXPECT_EQ(given.starts[1].position_m(), Eigen::Vector2d(-3.0, 4.5));
+  EXPECT_FALSE(given.draws_starts);
+  const auto alone = std::get<DeviceOptions>(read({}));
+  EXPECT_EQ(alone.robots, 1U);
+  EXPECT_EQ(alone.apart_m, 2.0);
+}
+
+TEST(DeviceOptions, EachOfSeveralRobotsHasItsOwnSeedPortsAndFiles) {
+  const auto options = std::get<DeviceOptions>(read({"--robots=3",
+                                                     "--link=/tmp/bot",
+                                                     "--lockstep=/tmp/clock",
+                                                     "--truth=out",
+                                                     "--seed=9",
+                                                     "--faults=loss=0.1"}));
+  const DeviceOptions first = options_of_robot(options, 0);
+  const DeviceOptions last = options_of_robot(options, 2);
+  EXPECT_EQ(first.link, "/tmp/bot.0");
+  EXPECT_EQ(last.link, "/tmp/bot.2");
+  EXPECT_EQ(last.lockstep, "/tmp/clock.2");
+  EXPECT_EQ(last.truth, "out/robot2");
+  EXPECT_EQ(first.seed, 9U);
+  EXPECT_EQ(first.line.faults.seed, 9U);
+  EXPECT_NE(last.seed, 9U);
+  EXPECT_NE(last.seed, options_of_robot(options, 1).seed);
+  EXPECT_EQ(last.line.faults.seed, last.seed);
+  const auto tcp = std::get<DeviceOptions>(read({"--robots=3", "--tcp=4000"}));
+  EXPECT_EQ(options_of_robot(tcp, 2).tcp_port, 4002);
+  EXPECT_TRUE(options_of_robot(tcp, 2).truth.empty());
+  EXPECT_TRUE(options_of_robot(tcp, 2).lockstep.empty());
+  const auto free = std::get<DeviceOptions>(read({"--robots=3", "--tcp=0"}));
+  EXPECT_EQ(options_of_robot(free, 2).tcp_port, 0);
+}
+
+TEST(DeviceOptions, OneRobotAloneHasWhatIsAskedFor) {
+  const auto options = std::get<DeviceOptions>(read({"--lockstep=s", "--truth=out", "--seed=9"}));
+  const DeviceOptions own = options_of_robot(options, 0);
+  EXPECT_EQ(own.link, options.link);
+  EXPECT_EQ(own.lockstep, "s");
+  EXPECT_EQ(own.truth, "out");
+  EXPECT_EQ(own.seed, 9U);
+}
+
+TEST(DeviceOptions, WhatOnlyOneRobotCanHaveIsRefusedToSeveral) {
+  for (const std::string wrong : {"--kidnap=10,2,1,1,0",
+                                  "--camera=udp:7001",
+                                  "--duty-log=d.csv",
+                                  "--pin-log=p.csv",
+                                  "--starts=1,1,0",
+                                  "--tcp=65535"}) {
+    EXPECT_EQ(std::get<int>(read({"--robots=2", wrong})), 2) << wrong;
+  }
+  EXPECT_EQ(std::get<int>(read({"--start=1,1,0", "--starts=drawn"})), 2);
+}
+
 TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
   for (const std::string wrong : {"--speed=0",
                                   "--speed=fast",
@@ -129,6 +192,13 @@ TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
                                   "--faults=flop=1",
                                   "--line=pigeon",
                                   "--faults=loss=1.5",
+                                  "--robots=0",
+                                  "--robots=17",
+                                  "--starts=1,1",
+                                  "--starts=1,1,0;",
+                                  "--starts=1,1,0;1,1,west",
+                                  "--starts=somewhere",
+                                  "--apart=0",
                                   "--part-faults=sonar-dead",
                                   "--part-faults=leg-broken@3",
                                   "--nonsense",

@@ -2,6 +2,8 @@
 #include "hil_mock/world/noise.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +54,18 @@ TEST(NoiseStream, IsUniformAndNormal) {
   EXPECT_NEAR(sum / kDraws, 0.0, 0.01);
   EXPECT_NEAR(sum_of_squares / kDraws, 1.0, 0.02);
   EXPECT_NEAR(beyond_two / static_cast<double>(kDraws), 0.0455, 0.002);
+}
+
+TEST(SeedOf, TheFirstHasTheSharedOneAndTheOthersHaveOthers) {
+  EXPECT_EQ(seed_of(7, 0), 7U);
+  std::set<std::uint32_t> seeds;
+  for (std::uint32_t shared = 0; shared < 50; ++shared) {
+    for (std::uint32_t number = 1; number < 16; ++number) {
+      seeds.insert(seed_of(shared, number));
+    }
+  }
+  EXPECT_EQ(seeds.size(), 50U * 15U);
+  EXPECT_EQ(seed_of(7, 3), seed_of(7, 3));
 }
 
 }  // namespace
