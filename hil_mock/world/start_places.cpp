@@ -59,14 +59,14 @@ class FloorLattice {
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
     open_near(from_m, ways, open);
     while (!open.empty()) {
-      const auto [way_m, index] = open.top();
+      const auto [path_m, index] = open.top();
       open.pop();
-      if (way_m > ways[static_cast<std::size_t>(index)]) {
+      if (path_m > ways[static_cast<std::size_t>(index)]) {
         continue;
       }
       for (const auto& [dx, dy] : kSteps) {
         if (const auto next = neighbour(index, dx, dy)) {
-          const double longer_m = way_m + kLatticeM * std::hypot(dx, dy);
+          const double longer_m = path_m + kLatticeM * std::hypot(dx, dy);
           if (longer_m < ways[static_cast<std::size_t>(*next)]) {
             ways[static_cast<std::size_t>(*next)] = longer_m;
             open.emplace(longer_m, *next);
@@ -98,10 +98,10 @@ class FloorLattice {
   template <class Open>
   void open_near(const Eigen::Vector2d& from_m, std::vector<double>& ways, Open& open) const {
     for (int i = 0; i < size(); ++i) {
-      const double way_m = (point(i) - from_m).norm();
-      if (way_m <= 2.0 * kLatticeM && room_m(i) >= radius_m_) {
-        ways[static_cast<std::size_t>(i)] = way_m;
-        open.emplace(way_m, i);
+      const double path_m = (point(i) - from_m).norm();
+      if (path_m <= 2.0 * kLatticeM && room_m(i) >= radius_m_) {
+        ways[static_cast<std::size_t>(i)] = path_m;
+        open.emplace(path_m, i);
       }
     }
   }

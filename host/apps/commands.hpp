@@ -210,7 +210,6 @@ struct FleetStartOptions {
   session::SimulatedRobotOptions robot;
   std::string address = "127.0.0.1";  ///< Where the broker listens.
   bool tls = false;
-  bool known_starts = false;  ///< The robots are told where the others started.
 };
 ExitCode run_fleet_start(const FleetStartOptions& options);
 

@@ -11,10 +11,10 @@ namespace {
 using nlohmann::ordered_json;
 
 /// Millimetres are more than a page shows.
-double rounded(double metres) { return std::round(metres * 1000.0) / 1000.0; }
+double to_millimetres(double metres) { return std::round(metres * 1000.0) / 1000.0; }
 
 ordered_json point(const Eigen::Vector2d& at_m) {
-  return ordered_json::array({rounded(at_m.x()), rounded(at_m.y())});
+  return ordered_json::array({to_millimetres(at_m.x()), to_millimetres(at_m.y())});
 }
 
 ordered_json point(const std::optional<Eigen::Vector2d>& at_m) {
@@ -36,14 +36,14 @@ const char* name_of(Presence presence) {
 ordered_json robot_json(const TeamRobot& robot) {
   auto trail = ordered_json::array();
   for (const Eigen::Vector2d& at_m : robot.trail_m) {
-    trail.push_back(rounded(at_m.x()));
-    trail.push_back(rounded(at_m.y()));
+    trail.push_back(to_millimetres(at_m.x()));
+    trail.push_back(to_millimetres(at_m.y()));
   }
   ordered_json pose;
   if (robot.T_map_robot) {
-    pose = {{"x", rounded(robot.T_map_robot->x_m())},
-            {"y", rounded(robot.T_map_robot->y_m())},
-            {"heading", rounded(robot.T_map_robot->heading_rad())}};
+    pose = {{"x", to_millimetres(robot.T_map_robot->x_m())},
+            {"y", to_millimetres(robot.T_map_robot->y_m())},
+            {"heading", to_millimetres(robot.T_map_robot->heading_rad())}};
   }
   return {{"name", robot.name},
           {"presence", name_of(robot.presence)},

@@ -90,8 +90,8 @@ MergedMap MergedMapper::merge(const std::vector<MapShare>& shares) {
   for (const MapShare& share : shares) {
     robots.push_back(share.robot);
     scans.insert(scans.end(), share.placed.scans.begin(), share.placed.scans.end());
-    const auto way_m = positions_m(share.placed.T_map_way);
-    track_m.insert(track_m.end(), way_m.begin(), way_m.end());
+    const auto path_m = positions_m(share.placed.T_map_way);
+    track_m.insert(track_m.end(), path_m.begin(), path_m.end());
   }
   if (!mapper_ || robots != robots_) {
     mapper_ = std::make_unique<mapping::SonarMapper>(params_);

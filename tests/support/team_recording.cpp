@@ -48,7 +48,7 @@ class WayField {
   }
 
   /// Infinite where there is no way.
-  double way_m(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const {
+  double path_m(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const {
     std::vector<double> way(is_free_.size(), std::numeric_limits<double>::infinity());
     std::deque<int> open{index(from_m)};
     way[static_cast<std::size_t>(open.front())] = 0.0;
@@ -246,7 +246,7 @@ team_map::RobotRecord TeamRecording::after(std::size_t stops_made) const {
 
 std::vector<Pose2> team_starts(const world::FloorPlan& plan,
                                std::size_t robots,
-                               double way_m,
+                               double path_m,
                                std::uint32_t seed) {
   constexpr int kTries = 100'000;
   const WayField field(plan);
@@ -267,8 +267,8 @@ std::vector<Pose2> team_starts(const world::FloorPlan& plan,
     }
     bool is_apart = true;
     for (const Pose2& other : starts) {
-      const double between_m = field.way_m(other.position_m(), place_m);
-      is_apart = is_apart && between_m >= way_m && std::isfinite(between_m);
+      const double between_m = field.path_m(other.position_m(), place_m);
+      is_apart = is_apart && between_m >= path_m && std::isfinite(between_m);
     }
     if (is_apart) {
       starts.emplace_back(place_m.x(), place_m.y(), heading_rad);

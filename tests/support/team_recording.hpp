@@ -32,10 +32,10 @@ struct TeamRecording {
   team_map::RobotRecord after(std::size_t stops) const;
 };
 
-/// Starts of so many robots, drawn: at least `way_m` of way apart from each other.
+/// Starts of so many robots, drawn: at least `path_m` of way apart from each other.
 std::vector<geometry::Pose2> team_starts(const world::FloorPlan& plan,
                                          std::size_t robots,
-                                         double way_m,
+                                         double path_m,
                                          std::uint32_t seed);
 
 /// Lets a robot explore by `frontier` with SLAM, without firmware.
