@@ -152,13 +152,13 @@ TEST_P(ScalarSensor, CountsPulsesAndGapsOfFiftyMicroseconds) {
   robot.board().set_aux_level(pin, true);
   use(pin, protocol::kPinScalarPulses, 20);
   constexpr int kPulses = 1000;
-  constexpr std::int64_t kMinNs = 50'000;
-  const std::int64_t begin_ns = robot.board().now_ns() + kMinNs;
+  constexpr std::int64_t kMinLengthNs = 50'000;
+  const std::int64_t begin_ns = robot.board().now_ns() + kMinLengthNs;
   for (int i = 0; i < kPulses; ++i) {
-    const std::int64_t fall_ns = begin_ns + 2 * i * kMinNs;
-    robot.board().schedule_aux_pulse(pin, fall_ns, fall_ns + kMinNs);
+    const std::int64_t fall_ns = begin_ns + 2 * i * kMinLengthNs;
+    robot.board().schedule_aux_pulse(pin, fall_ns, fall_ns + kMinLengthNs);
   }
-  EXPECT_EQ(after_ms(2 * kPulses * kMinNs / 1'000'000 + 1).sum, unsigned{kPulses});
+  EXPECT_EQ(after_ms(2 * kPulses * kMinLengthNs / 1'000'000 + 1).sum, unsigned{kPulses});
 }
 
 TEST_P(ScalarSensor, OtherPinsAndAPulseThatIsUnderWayDoNotCount) {

@@ -10,7 +10,7 @@
 namespace echomap {
 namespace boards {
 
-/// What was counted so far.
+/// What the handler has counted.
 struct PulseCount {
   volatile uint8_t counted;
   uint8_t level;  ///< The pin's bit at its last edge, or 0.
