@@ -15,12 +15,14 @@ void validate(const MapJoinParams& params) {
       .positive("min_gain", params.min_gain)
       .within("min_matched_share", params.min_matched_share, 0.0, 1.0)
       .positive("max_range_rms_m", params.max_range_rms_m)
+      .at_least("max_loss_by_walls", params.max_loss_by_walls, params.max_loss)
+      .at_least("max_range_rms_by_walls_m", params.max_range_rms_by_walls_m, params.max_range_rms_m)
       .within("max_rival_share", params.max_rival_share, 0.0, 1.0)
       .within("max_rival_wall_share", params.max_rival_wall_share, 0.0, 1.0)
       .positive("agreeing_looks", params.agreeing_looks)
       .positive("same_m", params.same_m)
       .positive("same_rad", params.same_rad)
-      .at_least("undone_loss", params.undone_loss, params.max_loss)
+      .at_least("undone_loss", params.undone_loss, params.max_loss_by_walls)
       .positive("undoing_looks", params.undoing_looks);
 }
 
@@ -66,10 +68,12 @@ bool MapJoin::is_sure() const {
     return false;
   }
   const MapEvidence& best = judged_.front().evidence;
+  const bool alone = is_alone_by_walls();
   return best.readings >= params_.min_readings && best.gain >= params_.min_gain &&
-         best.loss_per_reading() <= params_.max_loss && best.matched >= params_.min_matched &&
-         best.matched_share() >= params_.min_matched_share &&
-         best.range_rms_m <= params_.max_range_rms_m && !has_rival();
+         best.loss_per_reading() <= (alone ? params_.max_loss_by_walls : params_.max_loss) &&
+         best.matched >= params_.min_matched && best.matched_share() >= params_.min_matched_share &&
+         best.range_rms_m <= (alone ? params_.max_range_rms_by_walls_m : params_.max_range_rms_m) &&
+         !has_rival();
 }
 
 bool MapJoin::has_rival() const {
@@ -78,6 +82,16 @@ bool MapJoin::has_rival() const {
     return other.evidence.weight() > params_.max_rival_share * best.evidence.weight() ||
            other.wall_weight_m > params_.max_rival_wall_share * best.wall_weight_m;
   });
+}
+
+bool MapJoin::is_alone_by_walls() const {
+  const mapping::MapPlacementParams& walls = params_.placement;
+  const double best_m = judged_.front().wall_weight_m;
+  return best_m >= walls.min_common_m &&
+         std::all_of(judged_.begin() + 1, judged_.end(), [&](const JudgedPlacement& other) {
+           return other.wall_weight_m <= walls.max_rival_share * best_m &&
+                  best_m - other.wall_weight_m >= walls.min_lead_m;
+         });
 }
 
 void MapJoin::check(const RobotMap& first, const RobotMap& second) {

@@ -33,6 +33,9 @@ struct MapJoinParams {
   double max_rival_share = 0.6;
   /// and by walls (mapping::MapPlacement), of which it has the most.
   double max_rival_wall_share = 0.85;
+  /// Where walls leave no other place, as mapping::sure_placement asks, readings may agree less.
+  double max_loss_by_walls = 0.6;
+  double max_range_rms_by_walls_m = 0.037;
   /// So many looks in a row agree on it, within same_m and same_rad.
   std::size_t agreeing_looks = 2;
   double same_m = 0.3;
@@ -74,6 +77,7 @@ class MapJoin {
   void check(const RobotMap& first, const RobotMap& second);
   bool is_sure() const;
   bool has_rival() const;
+  bool is_alone_by_walls() const;
 
   MapJoinParams params_;
   std::vector<JudgedPlacement> judged_;
