@@ -147,7 +147,6 @@ team_exploration::TeamExplorerParams explorer_params(const world::RobotParams& r
   const double radius_m = robot.body.radius_m;
   params.frontier.navigator.costs.robot_radius_m = radius_m;
   params.frontier.max_stops = kManyStops;
-  params.frontier = team_exploration::for_building(params.frontier);
   params.avoidance.robot = name;
   params.avoidance.navigator = params.frontier.navigator;
   params.avoidance.guard.robot_radius_m = radius_m;
