@@ -26,7 +26,7 @@ constexpr double kFastest = 1e6;
 constexpr double kLongestS = 1e9;
 constexpr std::size_t kKidnapNumbers = 5;
 
-constexpr std::size_t kMostRobots = 16;
+constexpr std::size_t kMaxRobots = 16;
 /// What `--starts` is for the seed to choose.
 constexpr const char* kDrawn = "drawn";
 constexpr unsigned kLastPort = 65535;
@@ -174,7 +174,7 @@ void add_team_options(CLI::App& app, DeviceOptions& options, RawOptions& raw) {
                  options.robots,
                  "Robots in this world. Of several each has its own port, channel, seed and files: "
                  "LINK.0, TCP port + 0, SOCKET.0, TRUTH/robot0, ..")
-      ->check(CLI::Range(std::size_t{1}, kMostRobots))
+      ->check(CLI::Range(std::size_t{1}, kMaxRobots))
       ->capture_default_str();
   app.add_option(
          "--starts",
