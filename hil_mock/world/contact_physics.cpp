@@ -6,14 +6,14 @@
 namespace echomap::world {
 namespace {
 
-/// That point, moved away from another where it is nearer to it than `min_m`.
+/// That point, moved away from another where it is nearer to it than `min_distance_m`.
 Eigen::Vector2d kept_off(const Eigen::Vector2d& point_m,
                          const Eigen::Vector2d& other_m,
-                         double min_m) {
+                         double min_distance_m) {
   const Eigen::Vector2d away_m = point_m - other_m;
   const double distance_m = away_m.norm();
-  if (distance_m > 0.0 && distance_m < min_m) {
-    return point_m + away_m * (min_m / distance_m - 1.0);
+  if (distance_m > 0.0 && distance_m < min_distance_m) {
+    return point_m + away_m * (min_distance_m / distance_m - 1.0);
   }
   return point_m;
 }

@@ -53,28 +53,28 @@ class FloorLattice {
   double room_m(int index) const { return rooms_m_[static_cast<std::size_t>(index)]; }
 
   /// To every point, for a robot's middle (Dijkstra 1959).
-  std::vector<double> ways_m(const Eigen::Vector2d& from_m) const {
-    std::vector<double> ways(static_cast<std::size_t>(size()), kUnreachedM);
+  std::vector<double> paths_m(const Eigen::Vector2d& from_m) const {
+    std::vector<double> lengths_m(static_cast<std::size_t>(size()), kUnreachedM);
     using Open = std::pair<double, int>;
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
-    open_near(from_m, ways, open);
+    open_near(from_m, lengths_m, open);
     while (!open.empty()) {
       const auto [path_m, index] = open.top();
       open.pop();
-      if (path_m > ways[static_cast<std::size_t>(index)]) {
+      if (path_m > lengths_m[static_cast<std::size_t>(index)]) {
         continue;
       }
       for (const auto& [dx, dy] : kSteps) {
         if (const auto next = neighbour(index, dx, dy)) {
           const double longer_m = path_m + kLatticeM * std::hypot(dx, dy);
-          if (longer_m < ways[static_cast<std::size_t>(*next)]) {
-            ways[static_cast<std::size_t>(*next)] = longer_m;
+          if (longer_m < lengths_m[static_cast<std::size_t>(*next)]) {
+            lengths_m[static_cast<std::size_t>(*next)] = longer_m;
             open.emplace(longer_m, *next);
           }
         }
       }
     }
-    return ways;
+    return lengths_m;
   }
 
  private:
@@ -96,11 +96,11 @@ class FloorLattice {
                                                                {-1, -2}}};
 
   template <class Open>
-  void open_near(const Eigen::Vector2d& from_m, std::vector<double>& ways, Open& open) const {
+  void open_near(const Eigen::Vector2d& from_m, std::vector<double>& lengths_m, Open& open) const {
     for (int i = 0; i < size(); ++i) {
       const double path_m = (point(i) - from_m).norm();
       if (path_m <= 2.0 * kLatticeM && room_m(i) >= radius_m_) {
-        ways[static_cast<std::size_t>(i)] = path_m;
+        lengths_m[static_cast<std::size_t>(i)] = path_m;
         open.emplace(path_m, i);
       }
     }
@@ -127,9 +127,9 @@ class StartDraw {
  public:
   StartDraw(const FloorPlan& plan, const StartRules& rules, std::uint32_t seed)
       : lattice_(plan, rules.radius_m), rules_(rules), noise_(seed, NoisePurpose::kStarts) {
-    const auto ways_m = lattice_.ways_m(plan.T_world_start().position_m());
+    const auto paths_m = lattice_.paths_m(plan.T_world_start().position_m());
     for (int i = 0; i < lattice_.size(); ++i) {
-      if (ways_m[static_cast<std::size_t>(i)] < kUnreachedM &&
+      if (paths_m[static_cast<std::size_t>(i)] < kUnreachedM &&
           lattice_.room_m(i) >= rules.radius_m + rules.clearance_m) {
         places_.push_back(i);
       }
@@ -164,9 +164,9 @@ class StartDraw {
   }
 
   void leave_out_near(const Eigen::Vector2d& place_m, std::vector<int>& open) const {
-    const auto ways_m = lattice_.ways_m(place_m);
+    const auto paths_m = lattice_.paths_m(place_m);
     std::erase_if(
-        open, [&](int index) { return ways_m[static_cast<std::size_t>(index)] < rules_.apart_m; });
+        open, [&](int index) { return paths_m[static_cast<std::size_t>(index)] < rules_.apart_m; });
   }
 
   FloorLattice lattice_;

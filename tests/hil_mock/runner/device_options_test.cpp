@@ -195,7 +195,6 @@ TEST(DeviceOptions, UsageErrorsAreCodeTwo) {
                                   "--robots=0",
                                   "--robots=17",
                                   "--starts=1,1",
-                                  "--starts=1,1,0;",
                                   "--starts=1,1,0;1,1,west",
                                   "--starts=somewhere",
                                   "--apart=0",

@@ -5,7 +5,7 @@
 
 namespace echomap::world {
 
-/// As its file says, without noise.
+/// The usual robot, exactly as its file says and without noise.
 inline RobotParams exact_robot() {
   RobotParams robot;
   robot.drive.wheel_diameter_stddev = 0.0;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "hil_mock/world/robot_world.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -294,7 +291,7 @@ TEST(RobotWorld, RefusesFaultsOfPartsThatItHasNot) {
                std::invalid_argument);
 }
 
-/// Nearer to the wall on its right than to the one on its left.
+/// As its file says, without noise, nearer to the wall on its right than to the one on its left.
 RobotWorld exact_world_with(const std::string& faults) {
   return {box_room({}, {2.0, 1.0, 0.0}), exact_robot(), 1, parse_part_faults(faults)};
 }

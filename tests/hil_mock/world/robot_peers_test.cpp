@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+/// What robots in one room are to each other.
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -74,7 +76,7 @@ bool presses_none(const RobotWorld& robot) {
 
 constexpr WheelDuty kAhead{0.4, 0.4};
 
-TEST(RobotWorldPeers, HearsAPeerAndDoesNotHearOneThatIsHeld) {
+TEST(RobotPeers, HearsAPeerAndDoesNotHearOneThatIsHeld) {
   PeerRoom room({{1.0, 1.5, 0.0}, {2.0, 1.5, 0.0}});
   EXPECT_NEAR(room.robots[0]->ping(0.0).value_or(0.0) * 343.2 / 2.0, 0.88, 0.15);
   room.robots[1]->lift();
@@ -82,7 +84,7 @@ TEST(RobotWorldPeers, HearsAPeerAndDoesNotHearOneThatIsHeld) {
   EXPECT_NEAR(room.robots[0]->ping(0.0).value_or(0.0) * 343.2 / 2.0, 2.97, 0.15);
 }
 
-TEST(RobotWorldPeers, APeerThatStandsIsNotMovedAndStopsWhoDrivesIntoIt) {
+TEST(RobotPeers, APeerThatStandsIsNotMovedAndStopsWhoDrivesIntoIt) {
   PeerRoom room({{1.0, 1.5, 0.0}, {1.6, 1.5, 0.5 * std::numbers::pi}});
   room.drive_until_they_touch({kAhead, {}});
   EXPECT_NEAR(room.apart_m(), kHullsM, 1e-9);
@@ -95,7 +97,7 @@ TEST(RobotWorldPeers, APeerThatStandsIsNotMovedAndStopsWhoDrivesIntoIt) {
   EXPECT_EQ(room.robots[1]->body().collisions().bumps, 0);
 }
 
-TEST(RobotWorldPeers, TwoThatMeetHeadOnStopAndBothBump) {
+TEST(RobotPeers, TwoThatMeetHeadOnStopAndBothBump) {
   PeerRoom room({{1.0, 1.5, 0.0}, {2.0, 1.5, std::numbers::pi}});
   room.drive_until_they_touch({kAhead, kAhead});
   EXPECT_NEAR(room.apart_m(), kHullsM, 1e-3);
@@ -109,7 +111,7 @@ TEST(RobotWorldPeers, TwoThatMeetHeadOnStopAndBothBump) {
       << "they have met in the middle";
 }
 
-TEST(RobotWorldPeers, WhoCatchesUpFromBehindBumpsAlone) {
+TEST(RobotPeers, WhoCatchesUpFromBehindBumpsAlone) {
   PeerRoom room({{0.5, 1.5, 0.0}, {1.0, 1.5, 0.0}});
   room.drive_until_they_touch({{0.6, 0.6}, {0.3, 0.3}});
   EXPECT_NEAR(room.apart_m(), kHullsM, 1e-3);
@@ -119,13 +121,13 @@ TEST(RobotWorldPeers, WhoCatchesUpFromBehindBumpsAlone) {
   EXPECT_TRUE(presses_none(*room.robots[1]));
 }
 
-TEST(RobotWorldPeers, IsNotPutDownOnAPeer) {
+TEST(RobotPeers, IsNotPutDownOnAPeer) {
   PeerRoom room({{1.0, 1.5, 0.0}, {2.0, 1.5, 0.0}});
   EXPECT_FALSE(room.robots[0]->fits({2.0, 1.5 + kHullsM + 0.04}, 0.05));
   EXPECT_TRUE(room.robots[0]->fits({2.0, 1.5 + kHullsM + 0.06}, 0.05));
 }
 
-TEST(RobotWorldPeers, APeerOutOfReachChangesNothing) {
+TEST(RobotPeers, APeerOutOfReachChangesNothing) {
   RobotWorld alone(box_room(), RobotParams{}, 3);
   RobotWorld accompanied(box_room(), RobotParams{}, 3);
   EncoderChanges changes;
