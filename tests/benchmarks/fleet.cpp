@@ -8,6 +8,7 @@
 
 #include "tests/benchmarks/figures.hpp"
 #include "tests/benchmarks/fleet_load.hpp"
+#include "tests/benchmarks/mrclam6_joint.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -28,6 +29,9 @@ std::vector<Figure> fleet_figures(const FleetOptions& options) {
   if (options.has("load")) {
     append(load_figures(options.load_s));
   }
+  if (options.has("mrclam6")) {
+    append(mrclam6_joint_figures(true));
+  }
   return figures;
 }
 
@@ -38,7 +42,7 @@ int main(int argc, char** argv) {
   echomap::bench::FleetOptions options;
   CLI::App app("What a fleet of robots costs and shows");
   app.add_option("--part", options.part, "Only these figures")
-      ->check(CLI::IsMember({"all", "load"}))
+      ->check(CLI::IsMember({"all", "load", "mrclam6"}))
       ->capture_default_str();
   app.add_option("--load-s", options.load_s, "Replay so many seconds for each number of robots")
       ->capture_default_str();

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+/// A fleet as a user starts it: broker, simulated robots and those who look on.
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/files/atomic_file.hpp"
+#include "tests/integration/programs.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace echomap::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+class Fleet : public ::testing::Test {
+ protected:
+  std::vector<std::string> start(const std::string& out,
+                                 const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"fleet",
+                                       "start",
+                                       "--robots=2",
+                                       "--world=l_room",
+                                       "--emulator=mock",
+                                       "--headless",
+                                       "--seed=3",
+                                       "--out=" + (scratch / out).string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  std::filesystem::path credentials(const std::string& out, const std::string& member) const {
+    return scratch / out / "broker" / "members" / (member + ".toml");
+  }
+  Ended run(const std::vector<std::string>& arguments) {
+    return Program("echomap", arguments, scratch / "log").wait();
+  }
+
+  tests::ScratchFolder scratch;
+};
+
+TEST_F(Fleet, MakesOneMapOfRobotsThatDoNotKnowWhereTheOthersStarted) {
+  const Ended ended = Program("echomap", start("run"), scratch / "start_log").wait();
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  const auto summary = json::parse(files::read_text_file(scratch / "run/summary.json"));
+  const auto& robots = summary["fleet"]["robots"];
+  ASSERT_EQ(robots.size(), 2U);
+  const double own_errors_m =
+      robots[0]["ate_rmse_m"].get<double>() + robots[1]["ate_rmse_m"].get<double>();
+  EXPECT_LT(robots[1]["relative_pose_error"]["position_m"].get<double>(), own_errors_m + 0.05);
+  EXPECT_LT(robots[1]["relative_pose_error"]["heading_rad"].get<double>(), 0.0698 + 0.035)
+      << "four degrees, and what the maps are off by themselves";
+  EXPECT_GT(summary["fleet"]["map"]["fitted"]["free_iou"].get<double>(), 0.85);
+  EXPECT_THAT(files::read_text_file(scratch / "run/team/provenance.csv"),
+              HasSubstr("robot0.0+robot1.0"));
+}
+
+TEST_F(Fleet, IsAFunctionOfItsSeedThoughItsBrokerIsReal) {
+  Program one("echomap", start("one", {"--force"}), scratch / "log_one");
+  Program other("echomap", start("other", {"--force"}), scratch / "log_other");
+  ASSERT_EQ(one.wait().status, other.wait().status);
+  for (const std::string robot : {"robot0", "robot1"}) {
+    const auto path = [&](const std::string& run) {
+      return files::read_text_file(scratch / run / robot / "trajectory.tum");
+    };
+    EXPECT_EQ(path("one"), path("other")) << robot;
+  }
+}
+
+TEST_F(Fleet, IsSeenRecordedAndDrawnByThoseWhoLookOn) {
+  Program fleet("echomap", start("run"), scratch / "start_log");
+  const auto hub = credentials("run", "hub");
+  ASSERT_TRUE(eventually([&] { return exists(hub); }));
+  const auto with = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"--as", hub.string()});
+    return words;
+  };
+  const auto record = scratch / "fleet.mcap";
+  const Ended recorded = run(with({"fleet", "record", "--for-s=5", "--out=" + record.string()}));
+  EXPECT_EQ(recorded.status, 0) << recorded.said;
+  EXPECT_GT(file_size(record), 1000U);
+  const Ended status =
+      run(with({"fleet", "status", "--json=" + (scratch / "status.json").string()}));
+  EXPECT_EQ(status.status, 0) << status.said;
+  EXPECT_EQ(json::parse(files::read_text_file(scratch / "status.json"))["robots"].size(), 2U);
+  const Ended map = run(with({"fleet", "map", "--out=" + (scratch / "map").string()}));
+  EXPECT_TRUE(map.status == 0 || map.status == kUnfinished) << map.said;
+  EXPECT_TRUE(exists(scratch / "map/map.png"));
+  fleet.send(SIGTERM);
+  EXPECT_EQ(fleet.wait().status, 130);
+}
+
+TEST_F(Fleet, SaysWhatIsWrongWithCredentials) {
+  const Ended missing = run({"fleet", "status", "--as=nowhere.toml"});
+  EXPECT_EQ(missing.status, 2) << missing.said;
+  const auto file = scratch / "member.toml";
+  files::write_text_file(file, "fleet = 3\n");
+  const Ended damaged = run({"fleet", "status", "--as=" + file.string()});
+  EXPECT_EQ(damaged.status, 6) << damaged.said;
+  EXPECT_THAT(damaged.said, HasSubstr("member.toml"));
+}
+
+}  // namespace
+}  // namespace echomap::test
