@@ -94,6 +94,9 @@ void InformationGain::add(const PlannedDwell& dwell, PairDistances& distances) c
 double InformationGain::expected_log_probability(const PairDistances& distances) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < size(); ++i) {
+    if (weights_[i] <= 0.0F) {
+      continue;
+    }
     const PairSums sums =
         sum_pairs(&distances[i * padded_], &similar_[i * padded_], weights_.data(), padded_);
     sum +=

@@ -65,5 +65,13 @@ TEST_F(InformationGainTest, PlacesWithinTheRadiusAreOneClaim) {
   EXPECT_NEAR(near.expected_log_probability(near.no_reading()), 0.0, 1e-6);
 }
 
+TEST_F(InformationGainTest, WhatIsImpossibleDoesNotCount) {
+  const InformationGain gain(belief_,
+                             {{0.0, std::nullopt, 0.0, 0.0, 0.4, 0.0},
+                              {0.5, Eigen::Vector2d(1.0, 1.5), 0.05, 5.0, 0.4, 0.0},
+                              {0.5, Eigen::Vector2d(5.0, 1.5), 0.05, 5.0, 0.4, 0.0}});
+  EXPECT_NEAR(gain.expected_log_probability(gain.no_reading()), std::log(0.5), 1e-4);
+}
+
 }  // namespace
 }  // namespace echomap::source_search
