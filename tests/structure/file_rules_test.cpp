@@ -55,6 +55,7 @@ const std::vector<std::string> without_own_test{
     "host/apps/explore_run.cpp",
     "host/apps/flash_command.cpp",
     "host/apps/localize_run.cpp",
+    "host/apps/search_command.cpp",
     "host/console/interrupt.cpp",
     "host/session/simulated_robots.cpp",
 };
