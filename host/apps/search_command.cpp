@@ -24,8 +24,12 @@
 namespace echomap::apps {
 namespace {
 
+/// Times real time, for a simulated robot on a live page.
+constexpr double kShownSpeed = 8.0;
+
 using session::RobotContext;
 using session::RobotProfile;
+using source_search::SourceExplorer;
 using source_search::SourceReadings;
 using source_search::SourceSearch;
 
@@ -150,17 +154,18 @@ ExitCode run_search(const SearchOptions& options) {
   exports::RunSummary summary;
   summary.world = options.robot.world;
   open_port(robot, simulated ? simulated->connection() : options.connection, run.strategy, summary);
+  if (simulated && live.serves()) {
+    robot.time_scale().set_factor(kShownSpeed);
+  }
 
+  const double max_s = options.max_s.value_or(std::numeric_limits<double>::infinity());
   std::shared_ptr<SourceSearch> search;
   ExploreRun explore{run.strategy, live, out, progress_display(run), run.align, split_bytes(run)};
   explore.next = next_of_search(options, out);
   explore.make_explorer = [&](const strategies::StrategyOptions& /*left*/) {
     search = std::make_shared<SourceSearch>(search_params(robot.profile()));
     return strategies::under_watch(
-        std::make_unique<source_search::SourceExplorer>(
-            search, readings, options.max_s.value_or(std::numeric_limits<double>::infinity())),
-        robot.profile(),
-        true);
+        std::make_unique<SourceExplorer>(search, readings, max_s), robot.profile(), true);
   };
   const RunEnding drive = explore_and_save(robot, explore, summary);
   const RunEnding ending = report_on_search(robot, drive, search.get(), explore, run.json, summary);
