@@ -17,6 +17,7 @@
 #include "host/apps/map_options.hpp"
 #include "host/apps/port_options.hpp"
 #include "host/apps/robot_options.hpp"
+#include "host/apps/search_options.hpp"
 #include "host/console/interrupt.hpp"
 #include "host/console/log_sink.hpp"
 #include "host/files/nearest_word.hpp"
@@ -131,6 +132,7 @@ ExitCode run_command_line(int argc, char** argv) {
   CommandAction action;
   add_demo(app, action);
   add_explore(app, action);
+  add_search(app, action);
   add_eval(app, action);
   add_replay(app, action);
   add_export(app, action);

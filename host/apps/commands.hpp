@@ -65,6 +65,17 @@ struct DemoOptions {
 };
 ExitCode run_demo(const DemoOptions& options);
 
+/// `echomap search`: drives a robot with a scalar sensor until it knows whether and where a source
+/// is.
+struct SearchOptions {
+  RunOptions run;
+  LiveOptions live;
+  session::ConnectionOptions connection;
+  session::SimulatedRobotOptions robot;  ///< Without a world the robot is at a port.
+  std::optional<double> max_s;           ///< Robot time; empty: until it is sure.
+};
+ExitCode run_search(const SearchOptions& options);
+
 /// `echomap eval`: scores a run directory against the truth, or against known relations.
 struct EvalOptions {
   std::filesystem::path run;
