@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <memory>
@@ -163,11 +164,14 @@ void look_on(const FleetStartOptions& /*options*/,
 /// How the fleet has ended: as the worst of its members.
 RunEnding ending_of(const FleetStartOptions& options,
                     const Members& members,
+                    const fleet::FleetState& state,
                     const fleet_member::TeamPicture& picture,
                     const fs::path& out) {
-  const auto* component =
-      picture.team().component_of(fleet_member::map_name(members.names().front(), 0));
-  const std::size_t joined = component == nullptr ? 0 : component->robots.size();
+  const std::string first_map = fleet_member::map_name(members.names().front(), 0);
+  const auto joined = static_cast<std::size_t>(
+      std::count_if(state.robots.begin(), state.robots.end(), [&](const fleet::FleetRobot& robot) {
+        return picture.relative_pose(first_map, robot).has_value();
+      }));
   std::vector<std::string> unfinished;
   bool is_interrupted = console::interrupted();
   for (std::size_t i = 0; i < members.names().size(); ++i) {
@@ -243,7 +247,7 @@ ExitCode run_fleet_start(const FleetStartOptions& options) {
   summary.robot = profile.name;
   summary.world = options.robot.world;
   summary.seed = run.seed;
-  const RunEnding ending = ending_of(options, members, picture, out);
+  const RunEnding ending = ending_of(options, members, watch.state(), picture, out);
   describe_ending(ending, summary);
   const std::string map = fleet_member::map_name(members.names().front(), 0);
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
