@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/fleet_score.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <optional>
@@ -36,6 +37,26 @@ ordered_json relative_error(const Pose2& T_first_peer,
           .position_m();
   return {{"position_m", (T_true_estimated * last_m - last_m).norm()},
           {"heading_rad", std::abs(T_true_estimated.heading_rad())}};
+}
+
+/// When the last stop of all ended, on the clock that simulated robots have in common.
+double last_stop_s(const fleet::FleetState& state) {
+  double last_s = 0.0;
+  for (const fleet::FleetRobot& robot : state.robots) {
+    for (const fleet::FleetMap& map : robot.maps) {
+      for (const team_map::Submap& submap : map.record->submaps) {
+        last_s = std::max(last_s, submap.end_s);
+      }
+    }
+  }
+  return last_s;
+}
+
+/// Of topics and payloads that were heard, rounds included; null before the first stop.
+ordered_json bytes_per_s_per_robot(const fleet::FleetState& state, std::size_t bytes) {
+  const double robot_seconds = static_cast<double>(state.robots.size()) * last_stop_s(state);
+  return robot_seconds > 0.0 ? ordered_json(static_cast<double>(bytes) / robot_seconds)
+                             : ordered_json();
 }
 
 std::optional<evaluation::Truth> truth_of(const fs::path& out, const std::string& robot) {
@@ -89,23 +110,27 @@ ordered_json fleet_report(const std::vector<std::string>& robots,
   const std::string first_map = fleet_member::map_name(robots.front(), 0);
   const auto first = truth_of(out, robots.front());
   auto members = ordered_json::array();
-  for (const std::string& robot : robots) {
-    const auto relative = picture.team().relative_pose(first_map, fleet_member::map_name(robot, 0));
-    const auto truth = truth_of(out, robot);
-    const bool is_scored = relative && first && truth;
+  const fleet::FleetState state = watch.state();
+  for (const fleet::FleetRobot& member : state.robots) {
+    const auto relative = picture.relative_pose(first_map, member);
+    const auto truth = truth_of(out, member.name);
+    // Where a later map began, no truth says.
+    const bool is_scored = relative && first && truth && member.map_number == 0;
     members.push_back(
-        {{"robot", robot},
+        {{"robot", member.name},
          {"joined", relative.has_value()},
+         {"maps", member.maps.size()},
          {"relative_pose_error",
           is_scored ? relative_error(relative->T_own_peer, *first, *truth) : ordered_json()},
-         {"ate_rmse_m", trajectory_error(out, robot)}});
+         {"ate_rmse_m", trajectory_error(out, member.name)}});
   }
   const team_map::JoinCounts& counts = picture.team().counts();
   return {{"robots", members},
           {"joins", counts.joins},
           {"joins_undone", counts.undone},
-          {"objects", watch.state().objects},
-          {"bytes_heard", watch.statistics().bytes},
+          {"objects", state.objects},
+          {"seconds", last_stop_s(state)},
+          {"bytes_per_s_per_robot", bytes_per_s_per_robot(state, watch.statistics().bytes)},
           {"map", map_score(out, robots.front())}};
 }
 
