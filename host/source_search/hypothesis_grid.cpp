@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include <Eigen/Geometry>
 
@@ -27,7 +28,8 @@ void validate_grid(const HypothesisGridParams& params) {
       .nonnegative_finite("merge_m", params.merge_m)
       .at_least("strength_nodes", params.strength_nodes, 4)
       .at_least("background_nodes", params.background_nodes, 2)
-      .nonnegative_finite("unknown_reach_m", params.unknown_reach_m);
+      .nonnegative_finite("unknown_reach_m", params.unknown_reach_m)
+      .nonnegative_finite("solid_depth_m", params.solid_depth_m);
 }
 
 std::vector<float> geometric_range(double min, double max, std::size_t count) {
@@ -52,15 +54,50 @@ RasterMap floor_as_obstacle(const RasterMap& map) {
   return floor;
 }
 
-std::vector<bool> cells_of_source(const RasterMap& map, double unknown_reach_m) {
-  const double reach_m = std::max(unknown_reach_m, map.resolution_m());
-  const mapping::DistanceField from_floor(floor_as_obstacle(map), reach_m + map.resolution_m());
-  const double reach_cells = unknown_reach_m / map.resolution_m();
+/// Steps from the floor to each unknown cell, through unknown ones: what is behind a wall is not
+/// reached. -1 for what is not.
+std::vector<int> steps_into_unknown(const RasterMap& map) {
+  const auto index = [&](geometry::CellIndex cell) {
+    return static_cast<std::size_t>(cell.y * map.columns() + cell.x);
+  };
+  std::vector<int> steps(static_cast<std::size_t>(map.columns() * map.rows()), -1);
+  std::deque<geometry::CellIndex> queue;
+  for (int y = 0; y < map.rows(); ++y) {
+    for (int x = 0; x < map.columns(); ++x) {
+      if (map.state({x, y}) == CellState::kFree) {
+        steps[index({x, y})] = 0;
+        queue.push_back({x, y});
+      }
+    }
+  }
+  constexpr int kSides[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+  while (!queue.empty()) {
+    const geometry::CellIndex at = queue.front();
+    queue.pop_front();
+    for (const auto& side : kSides) {
+      const geometry::CellIndex next{at.x + side[0], at.y + side[1]};
+      if (map.contains(next) && map.state(next) == CellState::kUnknown && steps[index(next)] < 0) {
+        steps[index(next)] = steps[index(at)] + 1;
+        queue.push_back(next);
+      }
+    }
+  }
+  return steps;
+}
+
+std::vector<bool> cells_of_source(const RasterMap& map, const HypothesisGridParams& params) {
+  const double depth_m = std::max(params.solid_depth_m, map.resolution_m());
+  const mapping::DistanceField from_floor(floor_as_obstacle(map), depth_m + map.resolution_m());
+  const double depth_cells = params.solid_depth_m / map.resolution_m() + 1e-6;
+  const double reach_cells = params.unknown_reach_m / map.resolution_m();
+  const std::vector<int> steps = steps_into_unknown(map);
   std::vector<bool> may_hold;
   for (int y = 0; y < map.rows(); ++y) {
     for (int x = 0; x < map.columns(); ++x) {
-      const bool is_known = map.state({x, y}) != CellState::kUnknown;
-      may_hold.push_back(is_known || from_floor.distance_cells({x, y}) <= reach_cells);
+      const int step = steps[may_hold.size()];
+      const bool is_solid = map.state({x, y}) == CellState::kOccupied;
+      may_hold.push_back(is_solid ? from_floor.distance_cells({x, y}) <= depth_cells
+                                  : step >= 0 && step <= reach_cells);
     }
   }
   return may_hold;
@@ -103,7 +140,7 @@ FieldReading merged(const FieldReading& one, const FieldReading& other, SensorKi
 HypothesisGrid::HypothesisGrid(const HypothesisGridParams& params, const RasterMap& map)
     : params_((validate_grid(params), params)),
       map_(map),
-      may_hold_(cells_of_source(map, params.unknown_reach_m)),
+      may_hold_(cells_of_source(map, params)),
       solids_(map) {
   const FieldParams& field = params_.field;
   nodes_.strengths =

@@ -23,8 +23,11 @@ struct HypothesisGridParams {
   double merge_m = 0.05;
   std::size_t strength_nodes = 12;
   std::size_t background_nodes = 8;
-  /// Unknown cells nearer than this to a free one may hold the source, too.
+  /// Unknown cells so far from a free one, by a way over unknown ones, may hold the source, too.
   double unknown_reach_m = 1.0;
+  /// So may occupied cells that are no deeper than this in what is solid: what lies in or behind a
+  /// wall can be neither found nor ruled out.
+  double solid_depth_m = 0.1;
 };
 
 /// A square of the grid: the block and the lane that it is in.
@@ -38,7 +41,7 @@ struct LeafIndex {
 /// matter. What a square is too coarse for is in the likelihood as an error of the rate.
 class HypothesisGrid {
  public:
-  /// Places are the free and the occupied cells of `map` and the unknown ones beside free ones.
+  /// Places are the free cells of `map` and what is beside them.
   /// Throws std::invalid_argument for invalid parameters.
   HypothesisGrid(const HypothesisGridParams& params, const mapping::RasterMap& map);
 

@@ -32,6 +32,26 @@ double area_of(const HypothesisGrid& grid) {
   return area_m2;
 }
 
+TEST(HypothesisGrid, NothingIsBehindOrDeepInAWall) {
+  const tests::DrawnMap closed = {
+      "              ",
+      "  ##########  ",
+      "  ##########  ",
+      "  ##########  ",
+      "  ###....###  ",
+      "  ##########  ",
+      "  ##########  ",
+      "  ##########  ",
+      "              ",
+  };
+  HypothesisGridParams params = params_with_leaves_of(0.1);
+  params.unknown_reach_m = 1.0;
+  params.solid_depth_m = 0.05;
+  const HypothesisGrid grid(params, tests::map_from(closed));
+  // 4 cells of floor and the 10 that share a side with one.
+  EXPECT_NEAR(grid.area_m2(), 14 * 0.0025, 1e-9);
+}
+
 TEST(HypothesisGrid, PlacesAreTheKnownCells) {
   const HypothesisGrid grid(params_with_leaves_of(0.1), tests::map_from(kFloor));
   EXPECT_NEAR(grid.area_m2(), 16 * 0.0025, 1e-12);
