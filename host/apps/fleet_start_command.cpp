@@ -193,9 +193,11 @@ RunEnding ending_of(const FleetStartOptions& options,
   } else if (joined < members.names().size()) {
     ending.outcome = "not-joined";
     ending.code = ExitCode::kUnfinished;
-    ending.why = fmt::format("{} of {} maps are one; how the others lie to it was never sure",
+    ending.why = fmt::format("{} of {} maps are one; how the others lie to it was never sure{}{}",
                              joined,
-                             members.names().size());
+                             members.names().size(),
+                             unfinished.empty() ? "" : "; unfinished: ",
+                             fmt::join(unfinished, ", "));
   } else if (!unfinished.empty()) {
     ending.outcome = "unfinished";
     ending.code = ExitCode::kUnfinished;
