@@ -14,23 +14,27 @@ namespace {
 using pipeline::StampedPose;
 using Seconds = std::chrono::duration<double>;
 
-/// The trajectory at increasing stamps.
+/// The trajectory at increasing stamps, up to the latest pose: while a robot stands, its trajectory
+/// does not grow.
 class PlaceAtStamp {
  public:
   explicit PlaceAtStamp(const pipeline::Snapshot& snapshot)
-      : trajectory_(*snapshot.trajectory), carried_to_(snapshot.carried_to) {}
+      : trajectory_(*snapshot.trajectory),
+        latest_(snapshot.latest),
+        carried_to_(snapshot.carried_to) {}
 
   /// Empty outside of the trajectory, and where the robot was carried meanwhile.
   std::optional<Eigen::Vector2d> at(time::RobotTime stamp) {
     while (next_ < trajectory_.size() && trajectory_[next_].stamp < stamp) {
       ++next_;
     }
-    if (next_ == 0 || next_ == trajectory_.size() ||
+    const bool is_behind = next_ == trajectory_.size();
+    if (next_ == 0 || (is_behind && latest_.stamp < stamp) ||
         std::find(carried_to_.begin(), carried_to_.end(), next_) != carried_to_.end()) {
       return std::nullopt;
     }
     const StampedPose& before = trajectory_[next_ - 1];
-    const StampedPose& after = trajectory_[next_];
+    const StampedPose& after = is_behind ? latest_ : trajectory_[next_];
     const double share =
         Seconds(stamp - before.stamp).count() / Seconds(after.stamp - before.stamp).count();
     return (1.0 - share) * before.T_map_robot.position_m() + share * after.T_map_robot.position_m();
@@ -38,6 +42,7 @@ class PlaceAtStamp {
 
  private:
   const std::vector<StampedPose>& trajectory_;
+  const StampedPose& latest_;
   const std::vector<std::size_t>& carried_to_;
   std::size_t next_ = 0;  ///< The first pose that is not before the last stamp.
 };

@@ -52,6 +52,17 @@ TEST(SourceReadings, OfBeforeAndBehindTheTrajectoryHaveNoPlace) {
   EXPECT_TRUE(readings.placed(drive_along_x()).empty());
 }
 
+TEST(SourceReadings, OfARobotThatStandsArePlacedThoughItsTrajectoryDoesNotGrow) {
+  SourceReadings readings({});
+  readings.on_scalar(pulses(12.0, 3.0, 1.0));
+  readings.on_scalar(pulses(14.0, 5.0, 1.5));
+  auto snapshot = drive_along_x();
+  snapshot.latest = tests::pose_at(15.0, Pose2(10.0, 0.0, 0.0));
+  const auto placed = readings.placed(snapshot);
+  ASSERT_EQ(placed.size(), 2U);
+  EXPECT_NEAR(placed[0].at_m.x(), 10.0, 1e-9);
+}
+
 TEST(SourceReadings, OfARobotThatIsCarriedHaveNoPlace) {
   SourceReadings readings({});
   readings.on_scalar(pulses(2.0, 3.0, 1.0));
