@@ -14,8 +14,8 @@ namespace {
 using pipeline::StampedPose;
 using Seconds = std::chrono::duration<double>;
 
-/// The trajectory at increasing stamps, up to the latest pose: while a robot stands, its trajectory
-/// does not grow.
+/// The trajectory at increasing stamps, and the latest pose behind it: while a robot stands, its
+/// trajectory does not grow.
 class PlaceAtStamp {
  public:
   explicit PlaceAtStamp(const pipeline::Snapshot& snapshot)
@@ -23,18 +23,20 @@ class PlaceAtStamp {
         latest_(snapshot.latest),
         carried_to_(snapshot.carried_to) {}
 
-  /// Empty outside of the trajectory, and where the robot was carried meanwhile.
+  /// Empty before the trajectory, and where the robot was carried meanwhile.
   std::optional<Eigen::Vector2d> at(time::RobotTime stamp) {
     while (next_ < trajectory_.size() && trajectory_[next_].stamp < stamp) {
       ++next_;
     }
-    const bool is_behind = next_ == trajectory_.size();
-    if (next_ == 0 || (is_behind && latest_.stamp < stamp) ||
+    if (next_ == trajectory_.size()) {
+      return latest_.T_map_robot.position_m();
+    }
+    if (next_ == 0 ||
         std::find(carried_to_.begin(), carried_to_.end(), next_) != carried_to_.end()) {
       return std::nullopt;
     }
     const StampedPose& before = trajectory_[next_ - 1];
-    const StampedPose& after = is_behind ? latest_ : trajectory_[next_];
+    const StampedPose& after = trajectory_[next_];
     const double share =
         Seconds(stamp - before.stamp).count() / Seconds(after.stamp - before.stamp).count();
     return (1.0 - share) * before.T_map_robot.position_m() + share * after.T_map_robot.position_m();
