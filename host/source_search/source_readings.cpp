@@ -14,18 +14,24 @@ namespace {
 using pipeline::StampedPose;
 using Seconds = std::chrono::duration<double>;
 
-/// The trajectory at increasing stamps.
+/// The trajectory at increasing stamps, and the latest pose behind it: while a robot stands, its
+/// trajectory does not grow.
 class PlaceAtStamp {
  public:
   explicit PlaceAtStamp(const pipeline::Snapshot& snapshot)
-      : trajectory_(*snapshot.trajectory), carried_to_(snapshot.carried_to) {}
+      : trajectory_(*snapshot.trajectory),
+        latest_(snapshot.latest),
+        carried_to_(snapshot.carried_to) {}
 
-  /// Empty outside of the trajectory, and where the robot was carried meanwhile.
+  /// Empty before the trajectory, and where the robot was carried meanwhile.
   std::optional<Eigen::Vector2d> at(time::RobotTime stamp) {
     while (next_ < trajectory_.size() && trajectory_[next_].stamp < stamp) {
       ++next_;
     }
-    if (next_ == 0 || next_ == trajectory_.size() ||
+    if (next_ == trajectory_.size()) {
+      return latest_.T_map_robot.position_m();
+    }
+    if (next_ == 0 ||
         std::find(carried_to_.begin(), carried_to_.end(), next_) != carried_to_.end()) {
       return std::nullopt;
     }
@@ -38,6 +44,7 @@ class PlaceAtStamp {
 
  private:
   const std::vector<StampedPose>& trajectory_;
+  const StampedPose& latest_;
   const std::vector<std::size_t>& carried_to_;
   std::size_t next_ = 0;  ///< The first pose that is not before the last stamp.
 };

@@ -34,9 +34,9 @@ class SourceReadings final : public pipeline::ObservationSink {
   void begin_scan() override {}
   void end_scan() override {}
 
-  /// All whose dwell had its middle on the trajectory, in the map frame, corrected for the dead
-  /// time; the last of them once it is whole. Those from before the map, or from where the robot
-  /// was carried, have no place and are left out.
+  /// All by the middle of their dwell on the trajectory, behind it at the latest pose, in the map
+  /// frame, corrected for the dead time; the last of them once it is whole. Those from before the
+  /// map, or from where the robot was carried, have no place and are left out.
   std::vector<FieldReading> placed(const pipeline::Snapshot& snapshot) const;
   /// From the first reading to the last, seconds.
   double elapsed_s() const;

@@ -52,21 +52,6 @@ class Search : public ::testing::Test {
   tests::ScratchFolder scratch;
 };
 
-TEST_F(Search, FindsASourceNearItsTruth) {
-  const Ended ended = search({"--world=" + path("room.toml"), "--json=" + path("report.json")});
-  ASSERT_EQ(ended.status, 0) << ended.said;
-  const auto source = json("run/source.json");
-  EXPECT_EQ(source.at("verdict"), "found");
-  EXPECT_EQ(source.at("truth").at("right"), true) << source.dump();
-  EXPECT_LT(source.at("truth").at("error_m"), 0.2);
-  EXPECT_THAT(ended.said, AllOf(HasSubstr("a source of "), HasSubstr("next: echomap serve ")));
-  EXPECT_EQ(json("run/summary.json").at("source"), source);
-  EXPECT_EQ(json("run/summary.json").at("strategy"), "source");
-  EXPECT_EQ(json("report.json").at("source"), source);
-  EXPECT_THAT(read_text_file(scratch / "run/source_density.csv"),
-              testing::StartsWith("x_m,y_m,density_per_m2\n"));
-}
-
 TEST_F(Search, EndsUnsureWhenItsTimeIsOver) {
   const Ended ended = search({"--world=" + path("room.toml"), "--source=none", "--seconds=3"});
   EXPECT_EQ(ended.status, kUnfinished) << ended.said;

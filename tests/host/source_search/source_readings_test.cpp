@@ -27,6 +27,8 @@ TEST(SourceReadings, ArePlacedWhereTheMiddleOfTheirDwellWas) {
   SourceReadings readings({});
   readings.on_scalar(pulses(2.0, 3.0, 1.0));
   readings.on_scalar(pulses(4.0, 5.0, 2.0));
+  EXPECT_EQ(readings.placed(drive_along_x()).size(), 1U) << "the last may not be whole";
+  readings.on_scalar(pulses(9.0, 1.0, 1.0));
   const auto placed = readings.placed(drive_along_x());
   ASSERT_EQ(placed.size(), 2U);
   EXPECT_NEAR(placed[0].at_m.x(), 1.5, 1e-9);
@@ -39,17 +41,28 @@ TEST(SourceReadings, ArePlacedWhereTheMiddleOfTheirDwellWas) {
 TEST(SourceReadings, MoveWithTheTrajectory) {
   SourceReadings readings({});
   readings.on_scalar(pulses(2.0, 3.0, 1.0));
+  readings.on_scalar(pulses(9.0, 1.0, 1.0));
   const auto turned =
       tests::snapshot_of(mapping::OccupancyGrid(),
                          {tests::pose_at(0.0, {}), tests::pose_at(10.0, Pose2(0.0, 10.0, 0.0))});
   EXPECT_NEAR(readings.placed(turned).at(0).at_m.y(), 1.5, 1e-9);
 }
 
-TEST(SourceReadings, OfBeforeAndBehindTheTrajectoryHaveNoPlace) {
+TEST(SourceReadings, OfBeforeTheTrajectoryHaveNoPlace) {
   SourceReadings readings({});
   readings.on_scalar(pulses(-1.0, 3.0, 1.0));
-  readings.on_scalar(pulses(12.0, 3.0, 1.0));
+  readings.on_scalar(pulses(-0.5, 3.0, 0.5));
   EXPECT_TRUE(readings.placed(drive_along_x()).empty());
+}
+
+TEST(SourceReadings, OfARobotThatStandsArePlacedThoughItsTrajectoryDoesNotGrow) {
+  SourceReadings readings({});
+  readings.on_scalar(pulses(12.0, 3.0, 1.0));
+  readings.on_scalar(pulses(13.5, 5.0, 1.5));
+  readings.on_scalar(pulses(15.0, 2.0, 1.0));
+  const auto placed = readings.placed(drive_along_x());
+  ASSERT_EQ(placed.size(), 2U);
+  EXPECT_NEAR(placed[0].at_m.x(), 10.0, 1e-9);
 }
 
 TEST(SourceReadings, OfARobotThatIsCarriedHaveNoPlace) {
@@ -82,6 +95,7 @@ TEST(SourceReadings, InARowAtOnePlaceAreOne) {
 TEST(SourceReadings, AreTakenForTheTimeInWhichTheSensorWasNotDead) {
   SourceReadings readings({.dead_time_s = 0.001});
   readings.on_scalar(pulses(2.0, 200.0, 1.0));
+  readings.on_scalar(pulses(9.0, 1.0, 1.0));
   const auto placed = readings.placed(drive_along_x());
   ASSERT_EQ(placed.size(), 1U);
   EXPECT_EQ(placed[0].value, 200.0);
