@@ -72,7 +72,7 @@ struct SearchOptions {
   LiveOptions live;
   session::ConnectionOptions connection;
   session::SimulatedRobotOptions robot;  ///< Without a world the robot is at a port.
-  std::optional<double> max_s;           ///< Robot time; empty: until it is sure.
+  std::optional<double> max_s = 900.0;   ///< Robot time; empty: until it is sure.
 };
 ExitCode run_search(const SearchOptions& options);
 

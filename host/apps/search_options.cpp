@@ -53,10 +53,10 @@ void add_search(CLI::App& app, CommandAction& action) {
   options->robot.world.clear();
   add_robot_of_search(*command, *options);
   command
-      ->add_option("--seconds",
-                   options->max_s,
-                   "Robot time after which it ends unsure; by default it goes on until it is sure")
-      ->check(CLI::PositiveNumber);
+      ->add_option(
+          "--seconds", options->max_s, "Robot time after which it ends unsure, exit code 8")
+      ->check(CLI::PositiveNumber)
+      ->default_str("900");
   command->add_option("--seed", options->run.seed, "Seed of every random generator")
       ->capture_default_str();
   add_out_options(*command, options->run.out, options->run.force);
