@@ -148,7 +148,7 @@ struct ClaimMessage {
   static constexpr TopicKind kKind = TopicKind::kClaim;
   std::uint16_t map_number = 0;
   std::vector<ClaimRow> claims;
-  std::vector<RobotNamePart> waits_for;  ///< The robot that stands in its way; one at most.
+  std::vector<RobotNamePart> waits_for{};  ///< The robot that stands in its way; one at most.
   bool operator==(const ClaimMessage&) const = default;
 
   bool is_consistent() const { return waits_for.size() <= 1; }

@@ -30,9 +30,9 @@ struct Peer {
 struct Claim {
   std::string robot;
   Eigen::Vector2d at_m = Eigen::Vector2d::Zero();  ///< In this robot's map.
-  double utility = 0.0;   ///< Unknown floor that is expected from there, square metres per second.
-  double reach_m = 0.0;   ///< How far a look from there shows floor.
-  std::string waits_for;  ///< The robot that stands in its way; empty for none.
+  double utility = 0.0;  ///< Unknown floor that is expected from there, square metres per second.
+  double reach_m = 0.0;  ///< How far a look from there shows floor.
+  std::string waits_for{};  ///< The robot that stands in its way; empty for none.
 };
 
 /// What the team knows, in one robot's own map frame. Robots whose relative pose is not known are

@@ -11,6 +11,7 @@
 #include "host/geometry/square.hpp"
 #include "host/geometry/unit_vector.hpp"
 #include "host/mapping/echo_feature.hpp"
+#include "host/optimization/normal_equations.hpp"
 #include "host/optimization/robust_kernel.hpp"
 
 namespace echomap::team_map {
@@ -66,17 +67,17 @@ void match_surfaces_in(const RobotMap& of,
       const double bearing_rad =
           geometry::wrap_angle(surface.bearing_rad + T_of_seer.heading_rad());
       SurfaceMatch match{from_m, surface.range_m, bearing_rad, {}};
-      double least_m = gate_m;
+      double nearest_off_m = gate_m;
       for (const mapping::MatchedFeature& feature : of.features().features) {
         const mapping::FeatureView view = mapping::view_from(from_m, feature.feature);
         const double off_m = std::abs(view.range_m - surface.range_m);
-        if (view.range_m > 0.0 && off_m < least_m &&
+        if (view.range_m > 0.0 && off_m < nearest_off_m &&
             std::abs(geometry::angle_between(view.bearing_rad, bearing_rad)) < kGateRad) {
-          least_m = off_m;
+          nearest_off_m = off_m;
           match.view = view;
         }
       }
-      take(match, least_m < gate_m);
+      take(match, nearest_off_m < gate_m);
     }
   }
 }
@@ -84,6 +85,9 @@ void match_surfaces_in(const RobotMap& of,
 /// Normal equations of x, y and heading.
 class PlacementEquations {
  public:
+  PlacementEquations() {
+    equations_.add_prior(Eigen::Vector3d::Zero(), 1e-3 * Eigen::Matrix3d::Identity());
+  }
   void add(const SurfaceMatch& match, const Eigen::Vector3d& by_x, const Eigen::Vector3d& by_y) {
     const Eigen::Vector2d towards = geometry::unit_vector(match.view.bearing_rad);
     const double off_m = match.view.range_m - match.range_m;
@@ -92,20 +96,18 @@ class PlacementEquations {
         optimization::geman_mcclure_weight(squared_error, kMaxRangeErrorM / kRangeStddevM) /
         geometry::square(kRangeStddevM);
     const Eigen::Vector3d by = -(towards.x() * by_x + towards.y() * by_y);
-    information_ += weight * by * by.transpose();
-    gradient_ += weight * off_m * by;
+    equations_.add(off_m, by.transpose(), weight);
   }
   void add_bearing(const SurfaceMatch& match, double sign) {
-    const double off_rad = geometry::angle_between(match.bearing_rad, match.view.bearing_rad);
-    const double weight = 1.0 / geometry::square(kBearingStddevRad);
-    information_(2, 2) += weight;
-    gradient_[2] -= sign * weight * off_rad;
+    equations_.add(geometry::angle_between(match.bearing_rad, match.view.bearing_rad),
+                   Eigen::RowVector3d(0.0, 0.0, -sign),
+                   1.0 / geometry::square(kBearingStddevRad));
   }
-  Eigen::Vector3d step() const { return -information_.ldlt().solve(gradient_); }
+  /// None where it is not finite.
+  Eigen::Vector3d step() const { return equations_.solve().value_or(Eigen::Vector3d::Zero()); }
 
  private:
-  Eigen::Matrix3d information_ = 1e-3 * Eigen::Matrix3d::Identity();
-  Eigen::Vector3d gradient_ = Eigen::Vector3d::Zero();
+  optimization::NormalEquations<3> equations_;
 };
 
 Pose2 one_step(const RobotMap& first, const RobotMap& second, const Pose2& T, double gate_m) {
