@@ -47,7 +47,7 @@ TEST(RobotSchema, HasTheDigestThatTheHandshakeTells) {
 TEST(RobotSchema, IsNoneForBytesThatDescribeNothing) {
   EXPECT_FALSE(read_robot_schema(std::vector<std::uint8_t>{0x81, 0x00, 0x17}));
   auto cut = description_of<protocol::AllMessages>();
-  cut.pop_back();
+  cut.push_back(0x01);  // The head of a field whose name is cut off.
   EXPECT_FALSE(read_robot_schema(cut));
 }
 
@@ -63,10 +63,15 @@ TEST(SchemaDifference, IsNoneBetweenTheSameMessages) {
 TEST(SchemaDifference, NamesWhatAnOlderFirmwareLacks) {
   const auto older = difference_to(description_of<other_messages::Older>());
   EXPECT_THAT(older.different(), ElementsAre("Health"));
-  EXPECT_THAT(
-      older.missing_on_robot(),
-      ElementsAre(
-          "TakeOver", "ConfigureWiring", "DriveSetpoint", "Ranges", "Gyro", "EncoderErrors"));
+  EXPECT_THAT(older.missing_on_robot(),
+              ElementsAre("TakeOver",
+                          "ConfigureWiring",
+                          "ConfigureScalar",
+                          "DriveSetpoint",
+                          "Ranges",
+                          "Gyro",
+                          "EncoderErrors",
+                          "Scalar"));
   EXPECT_THAT(older.unknown_to_host(), IsEmpty());
   EXPECT_FALSE(older.agrees(protocol::Health::kId));
   EXPECT_FALSE(older.agrees(protocol::Gyro::kId));
@@ -74,8 +79,8 @@ TEST(SchemaDifference, NamesWhatAnOlderFirmwareLacks) {
   EXPECT_EQ(older.foreign(protocol::Health::kId)->payload_size, 6);
   EXPECT_FALSE(older.foreign(protocol::Gyro::kId));
   EXPECT_EQ(older.summary(),
-            "other fields in Health; the robot lacks TakeOver, ConfigureWiring, DriveSetpoint, "
-            "Ranges, Gyro, EncoderErrors");
+            "other fields in Health; the robot lacks TakeOver, ConfigureWiring, ConfigureScalar, "
+            "DriveSetpoint, Ranges, Gyro, EncoderErrors, Scalar");
 }
 
 TEST(SchemaDifference, NamesWhatANewerFirmwareHasBesides) {
