@@ -40,25 +40,25 @@ std::vector<SolidBox> with_walls(std::vector<SolidBox> boxes, const Eigen::Vecto
   return boxes;
 }
 
-/// How much of the line from `from_m` on, by `path_m`, is in the box (the slab method).
+/// How much of the line from `from_m` on, by `offset_m`, is in the box (the slab method).
 double length_in_m(const SolidBox& box,
                    const Eigen::Vector2d& from_m,
-                   const Eigen::Vector2d& path_m) {
+                   const Eigen::Vector2d& offset_m) {
   double first = 0.0;
   double last = 1.0;
   for (int axis = 0; axis < 2; ++axis) {
-    if (std::abs(path_m[axis]) < 1e-12) {
+    if (std::abs(offset_m[axis]) < 1e-12) {
       if (from_m[axis] <= box.low_m[axis] || from_m[axis] >= box.high_m[axis]) {
         return 0.0;
       }
       continue;
     }
-    const double one = (box.low_m[axis] - from_m[axis]) / path_m[axis];
-    const double other = (box.high_m[axis] - from_m[axis]) / path_m[axis];
+    const double one = (box.low_m[axis] - from_m[axis]) / offset_m[axis];
+    const double other = (box.high_m[axis] - from_m[axis]) / offset_m[axis];
     first = std::max(first, std::min(one, other));
     last = std::min(last, std::max(one, other));
   }
-  return std::max(0.0, last - first) * path_m.norm();
+  return std::max(0.0, last - first) * offset_m.norm();
 }
 
 }  // namespace

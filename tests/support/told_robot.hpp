@@ -30,14 +30,14 @@ inline team_map::RobotRecord told_record(std::string robot,
     submap.index = static_cast<std::uint32_t>(record.submaps.size());
     submap.begin_s = 20.0 * submap.index;
     submap.end_s = submap.begin_s + 20.0;
-    const double path_m = (place_m - before_m).norm();
-    const auto steps = static_cast<int>(std::lround(path_m / kWayStepM));
+    const double distance_m = (place_m - before_m).norm();
+    const auto steps = static_cast<int>(std::lround(distance_m / kWayStepM));
     for (int i = 1; i <= steps; ++i) {
       const Eigen::Vector2d at_m = before_m + (place_m - before_m) * i / steps;
       submap.T_odom_way.push_back(T_room_map.inverse() *
                                   geometry::Pose2(at_m.x(), at_m.y(), heading_rad));
     }
-    path_m += path_m;
+    path_m += distance_m;
     before_m = place_m;
     const geometry::Pose2 T_room_robot(place_m.x(), place_m.y(), heading_rad);
     slam::OdometryMark mark;
