@@ -143,8 +143,8 @@ bool WheelMotion::step() {
   last_steps_ = next_steps();
   left_.prepare(settings_, last_steps_.left);
   right_.prepare(settings_, last_steps_.right);
-  left_.follow(encoders_.counts().left);  // A reading each: its duty comes right after it.
-  right_.follow(encoders_.counts().right);
+  left_.follow(encoders_.left_count());  // A reading each: its duty comes right after it.
+  right_.follow(encoders_.right_count());
   const MotionOutcome left_fault = left_.classify(settings_, limits_);
   const MotionOutcome right_fault = right_.classify(settings_, limits_);
   const MotionOutcome fault = left_fault > right_fault ? left_fault : right_fault;

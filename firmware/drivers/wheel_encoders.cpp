@@ -22,6 +22,10 @@ void WheelEncoders::invert(bool left, bool right) {
   right_.invert(right, reading.right);
 }
 
+int16_t WheelEncoders::left_count() const { return left_.count(hal::read_encoders().left); }
+
+int16_t WheelEncoders::right_count() const { return right_.count(hal::read_encoders().right); }
+
 WheelCounts WheelEncoders::counts() const {
   const hal::EncoderReading reading = hal::read_encoders();
   return WheelCounts{left_.count(reading.left), right_.count(reading.right)};

@@ -19,6 +19,9 @@ class WheelEncoders {
   void invert(bool left, bool right);
 
   WheelCounts counts() const;
+  /// Of one wheel, a little sooner.
+  int16_t left_count() const;
+  int16_t right_count() const;
 
  private:
   /// Counts are an offset and the board's own, or without them.

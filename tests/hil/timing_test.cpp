@@ -120,20 +120,19 @@ class Control : public ::testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Boards, Control, every_board(), image_label);
 
-/// How old the counts of a duty may be, microseconds. The Mega held 50, too, until it had a scalar
-/// sensor; what delays it by one more handler since is not found.
-double max_count_age_us(const std::string& image) { return image == "echomap-mega" ? 60.0 : 50.0; }
-
-TEST_P(Control, DutyIsMadeOfFreshCounts) {
-  const ControlFigures figures =
-      measure_control(release_image(GetParam()), {.edges_per_s = 40'000}, 4.0);
-  std::printf("control: %.0f Hz, sample to PWM %.1f us, %.1f us at most\n",
-              figures.duties_per_s,
-              figures.mean_us,
-              figures.max_us);
-  EXPECT_NEAR(figures.duties_per_s, 250.0, 1.0);
-  EXPECT_LE(figures.max_us, max_count_age_us(GetParam()));
-  EXPECT_GT(figures.mean_us, 5.0) << "the delay is not measured";
+/// At rates beside the nominal one, too: where bytes of the line fall is a matter of phase.
+TEST_P(Control, DutyIsMadeOfCountsOfTheLastFiftyMicroseconds) {
+  for (const double edges_per_s : {39'000.0, 39'700.0, 40'000.0, 40'300.0, 41'000.0}) {
+    const ControlFigures figures =
+        measure_control(release_image(GetParam()), {.edges_per_s = edges_per_s}, 4.0);
+    std::printf("control: %.0f Hz, sample to PWM %.1f us, %.1f us at most\n",
+                figures.duties_per_s,
+                figures.mean_us,
+                figures.max_us);
+    EXPECT_NEAR(figures.duties_per_s, 250.0, 1.0);
+    EXPECT_LE(figures.max_us, 50.0);
+    EXPECT_GT(figures.mean_us, 5.0) << "the delay is not measured";
+  }
 }
 
 }  // namespace
