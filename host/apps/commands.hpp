@@ -217,7 +217,6 @@ ExitCode run_fleet_join(const FleetJoinOptions& options);
 struct FleetStartOptions {
   RunOptions run;
   LiveOptions live;
-  std::optional<double> speed;  ///< Times real time, 0: as fast as it can.
   session::SimulatedRobotOptions robot;
   std::string address = "127.0.0.1";  ///< Where the broker listens.
   bool tls = false;

@@ -34,10 +34,10 @@ FleetConnection connect_to_fleet(const std::filesystem::path& credentials,
     if (is_refused || std::chrono::steady_clock::now() > end) {
       throw CommandError(
           ExitCode::kRuntimeError,
-          fmt::format("the broker at {}:{} {}: {}\n  next: {}",
+          fmt::format("{} the broker at {}:{}: {}\n  next: {}",
+                      is_refused ? "refused by" : "no answer from",
                       params.host,
                       params.port,
-                      is_refused ? "does not accept " + params.user : "does not answer",
                       mqtt::text_of(fleet.bus->reason()),
                       is_refused ? "use the credentials that `echomap fleet start` wrote, "
                                    "broker/members/NAME.toml"

@@ -137,6 +137,14 @@ void part(FleetMember& member, fleet::FleetRounds* rounds, mqtt::Connection& bus
   bus.disconnect();
 }
 
+void refuse_other_strategies(const strategies::StrategyOptions& strategy) {
+  if (strategy.name != "frontier") {
+    throw CommandError(ExitCode::kUsage,
+                       "a member of a fleet explores by --strategy frontier, not by " +
+                           strategy.name + "\n  next: leave --strategy out");
+  }
+}
+
 NextCommands next_of(const FleetJoinOptions& options, const std::filesystem::path& out) {
   const auto line = [](const console::CommandWords& words) { return console::shell_line(words); };
   const std::string map = line({"echomap", "fleet", "map", "--as", options.as.string()});
@@ -149,11 +157,7 @@ NextCommands next_of(const FleetJoinOptions& options, const std::filesystem::pat
 
 ExitCode run_fleet_join(const FleetJoinOptions& options) {
   const RunOptions& run = options.run;
-  if (run.strategy.name != "frontier") {
-    throw CommandError(ExitCode::kUsage,
-                       "a member of a fleet explores by --strategy frontier, not by " +
-                           run.strategy.name + "\n  next: leave --strategy out");
-  }
+  refuse_other_strategies(run.strategy);
   const bool in_rounds = !options.rounds_with.empty();
   RobotContext robot(profile_for(run.robot, run.strategy), session::Seed(run.seed));
   const auto out = run_folder(run.out);

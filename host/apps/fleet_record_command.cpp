@@ -103,7 +103,12 @@ ExitCode run_fleet_record(const FleetRecordOptions& options) {
                              options.out.string(),
                              recorder.messages(),
                              watch.state().robots.size()));
-  return recorder.messages() > 0 ? ExitCode::kOk : ExitCode::kUnfinished;
+  if (recorder.messages() == 0) {
+    throw CommandError(ExitCode::kUnfinished,
+                       "nothing was said in the fleet '" + watch.fleet() +
+                           "' meanwhile\n  next: echomap fleet status --as " + options.as.string());
+  }
+  return ExitCode::kOk;
 }
 
 }  // namespace echomap::apps

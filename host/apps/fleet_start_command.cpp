@@ -100,7 +100,16 @@ class Members {
     }
   }
   const std::vector<std::string>& names() const { return names_; }
-  const std::vector<std::optional<int>>& statuses() const { return statuses_; }
+  /// Those that did not get what they were asked for: "robot1 (exit 8)".
+  std::vector<std::string> unfinished() const {
+    std::vector<std::string> unfinished;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (const int status = statuses_[i].value_or(1); status != 0) {
+        unfinished.push_back(fmt::format("{} (exit {})", names_[i], status));
+      }
+    }
+    return unfinished;
+  }
 
  private:
   std::vector<std::string> command_of(const FleetStartOptions& options,
@@ -137,8 +146,7 @@ class Members {
 };
 
 /// Shows the fleet while its members go on.
-void look_on(const FleetStartOptions& /*options*/,
-             Members& members,
+void look_on(Members& members,
              FleetWatch& watch,
              fleet_member::TeamPicture& picture,
              FleetPage& page) {
@@ -172,21 +180,14 @@ RunEnding ending_of(const FleetStartOptions& options,
       std::count_if(state.robots.begin(), state.robots.end(), [&](const fleet::FleetRobot& robot) {
         return picture.relative_pose(first_map, robot).has_value();
       }));
-  std::vector<std::string> unfinished;
-  bool is_interrupted = console::interrupted();
-  for (std::size_t i = 0; i < members.names().size(); ++i) {
-    const int status = members.statuses()[i].value_or(1);
-    if (status != 0) {
-      unfinished.push_back(fmt::format("{} (exit {})", members.names()[i], status));
-    }
-  }
+  const std::vector<std::string> unfinished = members.unfinished();
   RunEnding ending;
   ending.next = console::shell_line({"echomap",
                                      "eval",
                                      (out / "team").string(),
                                      "--truth",
                                      (out / "truth" / members.names().front()).string()});
-  if (is_interrupted) {
+  if (console::interrupted()) {
     ending.outcome = "interrupted";
     ending.code = ExitCode::kInterrupted;
     ending.why = "interrupted";
@@ -239,7 +240,7 @@ ExitCode run_fleet_start(const FleetStartOptions& options) {
   FleetPage page(options.live, profile, out);
   fleet_member::TeamPicture picture;
   Members members(options, broker, robots, out);
-  look_on(options, members, watch, picture, page);
+  look_on(members, watch, picture, page);
   members.wait_for_all();
   watch.listen_for(0.5);
   picture.take(watch.state());
