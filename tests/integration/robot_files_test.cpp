@@ -45,7 +45,16 @@ int function_of(const world::PinWire& wire) {
   if (part >= kRange0) {
     return protocol::kPinRange0 + part - kRange0;
   }
-  return (protocol::kPinCliffLeft + part) | (wire.active_high ? protocol::kPinActiveHigh : 0);
+  switch (wire.part) {
+    case world::PinPart::kBattery:
+      return protocol::kPinBattery;
+    case world::PinPart::kScalarPulses:
+      return protocol::kPinScalarPulses;
+    case world::PinPart::kScalarLevel:
+      return protocol::kPinScalarLevel;
+    default:
+      return (protocol::kPinCliffLeft + part) | (wire.active_high ? protocol::kPinActiveHigh : 0);
+  }
 }
 
 Pins soldered(const world::PinWires& wires) {
