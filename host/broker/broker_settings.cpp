@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <sys/random.h>
 
 #include "host/console/exit_code.hpp"
+#include "host/mqtt/fleet_name.hpp"
 
 namespace echomap::broker {
 namespace {
@@ -19,14 +22,9 @@ namespace {
   throw console::CommandError(console::ExitCode::kConfigInvalid, "broker: " + message);
 }
 
-bool is_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-         c == '-';
-}
-
 void validate_name(const char* field, const std::string& name) {
-  if (!is_valid_name(name)) {
-    refuse(fmt::format("{} = '{}' is no name: 1 to 32 letters, digits, _ and - are", field, name));
+  if (!mqtt::is_fleet_name(name)) {
+    refuse(fmt::format("{} = '{}' is no name: 1 to 32 of a-z, 0-9, _ and - are", field, name));
   }
 }
 
@@ -43,7 +41,8 @@ void validate_password(const std::string& user, const std::string& password) {
 /// A name or an address: what the configuration and the certificate take as one word.
 void validate_host(const char* field, const std::string& host) {
   const bool is_host = !host.empty() && host.size() <= 253 && std::ranges::all_of(host, [](char c) {
-    return is_word(c) || c == '.' || c == ':';
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("-_.:").find(c) != std::string_view::npos;
   });
   if (!is_host) {
     refuse(fmt::format("{} = '{}' is no host name or address", field, host));
@@ -64,10 +63,6 @@ void validate_bridge(const SiteBridge& bridge) {
 }
 
 }  // namespace
-
-bool is_valid_name(std::string_view name) {
-  return !name.empty() && name.size() <= 32 && std::ranges::all_of(name, is_word);
-}
 
 void validate(const BrokerSettings& settings) {
   validate_name("fleet", settings.fleet);

@@ -48,10 +48,6 @@ struct BrokerSettings {
   std::optional<SiteBridge> bridge;
 };
 
-/// Whether a fleet, a robot or a site may have this name: 1 to 32 letters, digits, `_` and `-`. A
-/// name is a level of topics, and the rights depend on it.
-bool is_valid_name(std::string_view name);
-
 /// Throws console::CommandError kConfigInvalid with the field, its value and what it may be.
 void validate(const BrokerSettings& settings);
 

@@ -2,14 +2,15 @@
 #include "host/fleet/exchange_params.hpp"
 
 #include "host/geometry/parameter_validator.hpp"
+#include "host/mqtt/fleet_name.hpp"
 
 namespace echomap::fleet {
 
 void validate(const FleetExchangeParams& params) {
   geometry::ParameterValidator("fleet exchange")
-      .require(fleet_messages::is_fleet_name(params.fleet),
+      .require(mqtt::is_fleet_name(params.fleet),
                "fleet has 1 to 32 characters of a-z, 0-9, _ and -")
-      .require(fleet_messages::is_fleet_name(params.robot),
+      .require(mqtt::is_fleet_name(params.robot),
                "robot has 1 to 32 characters of a-z, 0-9, _ and -")
       .positive("boot_id", params.boot_id)
       .require(fleet_messages::with_traits({}, params.traits).has_value(),

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "host/geometry/parameter_validator.hpp"
+#include "host/mqtt/fleet_name.hpp"
 
 namespace echomap::fleet {
 
@@ -20,8 +21,8 @@ using fleet_messages::TopicMessage;
 FleetRounds::FleetRounds(mqtt::MessageBus& bus, const FleetRoundsParams& params)
     : bus_(bus), params_(params), living_(params.members.begin(), params.members.end()) {
   geometry::ParameterValidator("fleet rounds")
-      .require(fleet_messages::is_fleet_name(params.fleet), "fleet is a name")
-      .require(std::all_of(living_.begin(), living_.end(), fleet_messages::is_fleet_name),
+      .require(mqtt::is_fleet_name(params.fleet), "fleet is a name")
+      .require(std::all_of(living_.begin(), living_.end(), mqtt::is_fleet_name),
                "members have names")
       .require(living_.contains(params.robot), "robot is a member")
       .positive_finite("repeat_after_s", params.repeat_after_s);

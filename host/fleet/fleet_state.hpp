@@ -29,6 +29,8 @@ struct FleetPose {
   std::uint16_t map_number = 0;
   double stamp_s = 0.0;  ///< On its own clock.
   double age_s = 0.0;    ///< Since it was heard.
+  /// Forward, on the way from the pose before; zero where that is long ago.
+  double speed_m_per_s = 0.0;
 };
 
 /// One map of a robot. A robot that was carried away, or whose host has started again, has several.

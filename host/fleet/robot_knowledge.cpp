@@ -6,6 +6,21 @@
 #include <variant>
 
 namespace echomap::fleet {
+namespace {
+
+/// Poses of a robot that drives follow each other so closely, whatever the broker delays.
+constexpr double kDrivesS = 3.0;
+
+double forward_m_per_s(const FleetPose& before, const FleetPose& now) {
+  const double step_s = now.stamp_s - before.stamp_s;
+  if (before.map_number != now.map_number || step_s <= 0.0 || step_s > kDrivesS) {
+    return 0.0;
+  }
+  const geometry::Pose2& T_map_before = before.estimate.T_map_robot;
+  return (T_map_before.inverse() * now.estimate.T_map_robot.position_m()).x() / step_s;
+}
+
+}  // namespace
 
 using fleet_messages::ContentHash;
 using fleet_messages::PresenceState;
@@ -81,6 +96,9 @@ FleetRobot RobotKnowledge::state(double now_s, double gone_after_s) const {
   robot.pose = pose_;
   if (robot.pose) {
     robot.pose->age_s = now_s - posed_s_;
+    if (robot.pose->age_s > kDrivesS) {
+      robot.pose->speed_m_per_s = 0.0;
+    }
   }
   if (robot.attendance == Attendance::kAlive) {
     robot.claims = claims_;
@@ -136,10 +154,13 @@ bool RobotKnowledge::set_presence(const fleet_messages::PresenceMessage& message
 }
 
 void RobotKnowledge::set_pose(const fleet_messages::PoseMessage& message, double now_s) {
-  pose_ = FleetPose{fleet_messages::to_pose_estimate(message),
-                    message.map_number,
-                    static_cast<double>(message.stamp_ms) / 1000.0,
-                    0.0};
+  FleetPose pose{fleet_messages::to_pose_estimate(message),
+                 message.map_number,
+                 static_cast<double>(message.stamp_ms) / 1000.0};
+  if (pose_) {
+    pose.speed_m_per_s = forward_m_per_s(*pose_, pose);
+  }
+  pose_ = pose;
   posed_s_ = now_s;
 }
 

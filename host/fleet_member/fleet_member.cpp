@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/fleet_member/fleet_member.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -39,7 +40,8 @@ FleetMember::FleetMember(session::RobotContext& robot,
       map_changes_(robot.atlas().changes()) {
   geometry::ParameterValidator("fleet member")
       .positive("exchange_period_s", params.exchange_period_s)
-      .at_least("peer_drift_m_per_s", params.peer_drift_m_per_s, 0.0);
+      .at_least("peer_drift_m_per_s", params.peer_drift_m_per_s, 0.0)
+      .at_least("peer_drift_s", params.peer_drift_s, 0.0);
   robot_.put_before_maps(filter_);
   behind_filter_.add(robot_.atlas());
   begin_map();
@@ -119,15 +121,14 @@ void FleetMember::look() {
 
 TeamView FleetMember::view() {
   look();
-  TeamView view = picture_.view(state_, params_.exchange.robot, exchange_.map_number());
-  peers_ = view.peers;
-  return view;
+  return picture_.view(state_, params_.exchange.robot, exchange_.map_number());
 }
 
 std::vector<Peer> FleetMember::peers() const {
-  std::vector<Peer> peers = peers_;
+  std::vector<Peer> peers = picture_.peers(state_, params_.exchange.robot, exchange_.map_number());
   for (Peer& peer : peers) {
-    peer.position_stddev_m += params_.peer_drift_m_per_s * peer.age_s;
+    peer.position_stddev_m +=
+        params_.peer_drift_m_per_s * std::min(peer.age_s, params_.peer_drift_s);
   }
   return peers;
 }

@@ -26,8 +26,10 @@ struct FleetMemberParams {
   team_exploration::PeerEchoParams echoes;
   /// Messages are exchanged at whole multiples of this, seconds of the session's time.
   double exchange_period_s = 0.1;
-  /// A peer that drives may be so much farther from where it told to be, for each second since.
+  /// A peer that drives may be so much farther from where it told to be, for each second since,
   double peer_drift_m_per_s = 0.1;
+  /// up to so many: one that tells nothing for longer stands.
+  double peer_drift_s = 2.0;
 };
 
 /// A connected robot as a member of a fleet: tells each stop, its pose and its claim, and has what
@@ -84,9 +86,7 @@ class FleetMember final : public team_exploration::TeamBoard {
   team_exploration::PeerEchoFilter filter_;
   std::unique_ptr<team_map::SubmapRecorder> recorder_;
   session::RobotContext::StepListener listener_;
-  std::optional<std::uint64_t> seen_revision_;
   fleet::FleetState state_;
-  std::vector<team_exploration::Peer> peers_;
   std::size_t told_stops_ = 0;   ///< Of the pipeline.
   std::size_t map_changes_ = 0;  ///< Of the atlas.
   double next_exchange_s_ = 0.0;

@@ -36,7 +36,10 @@ std::optional<Peer> peer_of(const FleetRobot& robot, const team_map::RelativePos
   peer.position_stddev_m =
       std::hypot(relative.position_stddev_m, position_stddev_m(robot.pose->estimate.covariance));
   peer.radius_m = robot.traits.body_radius_m;
-  peer.age_s = robot.attendance == Attendance::kLeft ? 0.0 : robot.pose->age_s;
+  if (robot.attendance != Attendance::kLeft) {
+    peer.age_s = robot.pose->age_s;
+    peer.speed_m_per_s = robot.pose->speed_m_per_s;
+  }
   return peer;
 }
 
@@ -120,18 +123,30 @@ TeamView TeamPicture::view(const FleetState& state,
   view.scans = merged.scans;
   view.features = merged.features;
   view.been_m = merged.been_m;
+  view.peers = peers(state, robot, map_number);
   for (const FleetRobot& other : state.robots) {
     const auto relative = relative_pose(own_map, other);
     if (other.name == robot || !relative) {
       continue;
     }
-    if (const auto peer = peer_of(other, *relative)) {
-      view.peers.push_back(*peer);
-    }
     const std::vector<Claim> claims = claims_of(other, relative->T_own_peer);
     view.claims.insert(view.claims.end(), claims.begin(), claims.end());
   }
   return view;
+}
+
+std::vector<Peer> TeamPicture::peers(const FleetState& state,
+                                     const std::string& robot,
+                                     std::uint16_t map_number) const {
+  std::vector<Peer> peers;
+  for (const FleetRobot& other : state.robots) {
+    const auto relative = relative_pose(map_name(robot, map_number), other);
+    const auto peer = other.name != robot && relative ? peer_of(other, *relative) : std::nullopt;
+    if (peer) {
+      peers.push_back(*peer);
+    }
+  }
+  return peers;
 }
 
 }  // namespace echomap::fleet_member

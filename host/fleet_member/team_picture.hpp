@@ -35,6 +35,10 @@ class TeamPicture {
   team_exploration::TeamView view(const fleet::FleetState& state,
                                   const std::string& robot,
                                   std::uint16_t map_number);
+  /// Where the others of it are now, in that map; takes no time, so that it may be asked often.
+  std::vector<team_exploration::Peer> peers(const fleet::FleetState& state,
+                                            const std::string& robot,
+                                            std::uint16_t map_number) const;
   /// Where that robot's map of now lies in that map; empty where they are not joined.
   std::optional<team_map::RelativePose> relative_pose(const std::string& own_map,
                                                       const fleet::FleetRobot& robot) const;

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "host/fleet_messages/topic.hpp"
+#include "host/mqtt/fleet_name.hpp"
 
 namespace echomap::fleet_messages {
 
 void FieldReader::operator()(std::string_view /*name*/, std::string& text) {
   const std::string_view characters = take(read(1));
-  if (!refused_ && !is_fleet_name(characters)) {
+  if (!refused_ && !mqtt::is_fleet_name(characters)) {
     refuse(RefusedReason::kOutOfRange);
   }
   text = characters;

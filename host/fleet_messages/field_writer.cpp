@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "host/fleet_messages/field_writer.hpp"
 
-#include "host/fleet_messages/topic.hpp"
+#include "host/mqtt/fleet_name.hpp"
 
 namespace echomap::fleet_messages {
 
 void FieldWriter::operator()(std::string_view /*name*/, const std::string& text) {
-  fits_ = fits_ && is_fleet_name(text);
+  fits_ = fits_ && mqtt::is_fleet_name(text);
   put(text.size(), 1);
   bytes_ += text;
 }

@@ -7,11 +7,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "host/mqtt/fleet_name.hpp"
+
 namespace echomap::fleet_messages {
 namespace {
 
 constexpr std::string_view kRoot = "echomap/1/";
-constexpr std::size_t kMaxNameLength = 32;
 
 /// What a kind's topics end with.
 enum class IdType : std::uint8_t { kNone, kNumber, kHash };
@@ -68,15 +69,6 @@ std::optional<TopicId> parse_id(IdType type, std::string_view text) {
 
 }  // namespace
 
-bool is_fleet_name(std::string_view name) {
-  const auto is_allowed = [](char character) {
-    return (character >= 'a' && character <= 'z') || (character >= '0' && character <= '9') ||
-           character == '_' || character == '-';
-  };
-  return !name.empty() && name.size() <= kMaxNameLength &&
-         std::all_of(name.begin(), name.end(), is_allowed);
-}
-
 std::string_view name_of(TopicKind kind) { return row_of(kind).name; }
 
 bool is_retained(TopicKind kind) { return row_of(kind).is_retained; }
@@ -97,7 +89,7 @@ std::optional<FleetTopic> parse_topic(std::string_view text) {
     return std::nullopt;
   }
   const std::vector<std::string_view> parts = split(text.substr(kRoot.size()));
-  if (parts.size() < 3 || !is_fleet_name(parts[0]) || !is_fleet_name(parts[1])) {
+  if (parts.size() < 3 || !mqtt::is_fleet_name(parts[0]) || !mqtt::is_fleet_name(parts[1])) {
     return std::nullopt;
   }
   const auto row = std::find_if(kTopicRows.begin(), kTopicRows.end(), [&](const TopicRow& known) {

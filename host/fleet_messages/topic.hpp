@@ -52,9 +52,6 @@ struct FleetTopic {
   bool operator==(const FleetTopic&) const = default;
 };
 
-/// Whether a fleet or a robot may have that name: 1 to 32 of a-z, 0-9, _ and -.
-bool is_fleet_name(std::string_view name);
-
 /// As it is written in a topic: "presence", "pose" ..
 std::string_view name_of(TopicKind kind);
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "host/fleet_messages/topic.hpp"
+#include "host/mqtt/fleet_name.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fleet_messages = echomap::fleet_messages;
@@ -24,8 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto topic = fleet_messages::parse_topic(text);
   if (topic) {
     require(fleet_messages::format_topic(*topic) == text, "a topic is written the same again");
-    require(fleet_messages::is_fleet_name(topic->fleet), "a fleet has a name");
-    require(fleet_messages::is_fleet_name(topic->robot), "a robot has a name");
+    require(echomap::mqtt::is_fleet_name(topic->fleet), "a fleet has a name");
+    require(echomap::mqtt::is_fleet_name(topic->robot), "a robot has a name");
   }
   return 0;
 }

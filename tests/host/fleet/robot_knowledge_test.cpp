@@ -28,6 +28,16 @@ class RobotKnowledgeTest : public testing::Test {
         {},
         0.0);
   }
+  void tell_pose(const geometry::Pose2& T_map_robot,
+                 std::uint64_t stamp_ms,
+                 double heard_s,
+                 std::uint16_t map_number = 0) {
+    fleet_messages::PoseMessage message =
+        fleet_messages::to_message(fleet_messages::PoseEstimate{T_map_robot}, 0.0, map_number)
+            .value();
+    message.stamp_ms = stamp_ms;
+    knowledge_.take(message, {}, heard_s);
+  }
   FleetRobot state() const { return knowledge_.state(1.0, kGoneAfterS); }
   std::size_t shown_submaps() const { return state().maps.at(0).record->submaps.size(); }
 
@@ -67,6 +77,19 @@ TEST_F(RobotKnowledgeTest, MakesARecordOnlyWhereSomethingHasChanged) {
   EXPECT_EQ(state().maps[0].record, record) << "the same graph once more";
   add(0, "b", 1);
   EXPECT_EQ(state().maps[0].record, record) << "another map";
+}
+
+TEST_F(RobotKnowledgeTest, DrivesAsFastAsFromItsLastPoseToThisOne) {
+  tell_pose({1.0, 0.0, M_PI / 2.0}, 1000, 0.2);
+  EXPECT_EQ(state().pose->speed_m_per_s, 0.0) << "one pose says nothing of it";
+  tell_pose({1.0, -0.3, M_PI / 2.0}, 2500, 0.5);
+  EXPECT_NEAR(state().pose->speed_m_per_s, -0.2, 1e-3) << "backwards";
+  EXPECT_EQ(knowledge_.state(4.0, kGoneAfterS).pose->speed_m_per_s, 0.0)
+      << "it would have told where it drives";
+  tell_pose({1.0, 0.7, M_PI / 2.0}, 12500, 0.9);
+  EXPECT_EQ(state().pose->speed_m_per_s, 0.0) << "nobody knows when it set out";
+  tell_pose({1.0, 0.9, M_PI / 2.0}, 13500, 0.95, 1);
+  EXPECT_EQ(state().pose->speed_m_per_s, 0.0) << "in another map";
 }
 
 TEST_F(RobotKnowledgeTest, IsGoneWithoutAMessageForAWhile) {

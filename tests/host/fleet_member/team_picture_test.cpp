@@ -25,6 +25,7 @@ fleet::FleetRobot robot_with(const std::string& name, team_map::RobotRecord reco
   fleet::FleetPose pose;
   pose.estimate.T_map_robot = Pose2(0.5, 0.25, 0.0);
   pose.age_s = 2.0;
+  pose.speed_m_per_s = 0.2;
   robot.pose = pose;
   robot.claims = {{name, {1.0, 0.0}, 0.1, 2.0, ""}};
   return robot;
@@ -70,6 +71,7 @@ TEST_F(TeamPictureTest, HasAPeerAndItsClaimWhereItsMapLiesInOnesOwn) {
   EXPECT_NEAR((view.peers[0].T_map_robot.position_m() - peer_m).norm(), 0.0, 1e-9);
   EXPECT_EQ(view.peers[0].radius_m, 0.1);
   EXPECT_EQ(view.peers[0].age_s, 2.0);
+  EXPECT_EQ(view.peers[0].speed_m_per_s, 0.2);
   ASSERT_EQ(view.claims.size(), 1U);
   EXPECT_EQ(view.claims[0].robot, "b");
   const Eigen::Vector2d claim_m = relative->T_own_peer * Eigen::Vector2d(1.0, 0.0);
@@ -82,10 +84,24 @@ TEST_F(TeamPictureTest, OneThatHasLeftStandsWhereItSaidGoodByeAndOneThatIsGoneNo
   picture.take(state);
   ASSERT_EQ(picture.view(state, "a", 0).peers.size(), 1U);
   EXPECT_EQ(picture.view(state, "a", 0).peers[0].age_s, 0.0);
+  EXPECT_EQ(picture.view(state, "a", 0).peers[0].speed_m_per_s, 0.0);
   state.robots[1].attendance = Attendance::kGone;
   const auto view = picture.view(state, "a", 0);
   EXPECT_TRUE(view.peers.empty());
   EXPECT_NE(view.grid, nullptr) << "what it saw stays";
+}
+
+TEST_F(TeamPictureTest, KnowsWhereAPeerIsNowWithoutAnotherLookAtTheMaps) {
+  tell_where_b_started();
+  picture.take(state);
+  const auto before = picture.peers(state, "a", 0);
+  state.robots[1].pose->estimate.T_map_robot = Pose2(0.8, 0.25, 0.0);
+  const auto after = picture.peers(state, "a", 0);
+  ASSERT_EQ(before.size(), 1U);
+  ASSERT_EQ(after.size(), 1U);
+  const geometry::Pose2 moved = before[0].T_map_robot.inverse() * after[0].T_map_robot;
+  EXPECT_NEAR(moved.x_m(), 0.3, 1e-9);
+  EXPECT_NEAR(moved.y_m(), 0.0, 1e-9);
 }
 
 TEST_F(TeamPictureTest, APoseOfAnEarlierMapIsNone) {

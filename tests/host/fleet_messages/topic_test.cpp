@@ -75,19 +75,6 @@ TEST(FleetTopic, IsNoOtherText) {
   }
 }
 
-TEST(FleetName, HasOneTo32OfTheAllowedCharacters) {
-  EXPECT_TRUE(is_fleet_name("r"));
-  EXPECT_TRUE(is_fleet_name(std::string(32, 'z')));
-  EXPECT_FALSE(is_fleet_name(""));
-  EXPECT_FALSE(is_fleet_name(std::string(33, 'z')));
-  for (int code = 0; code < 256; ++code) {
-    const char character = static_cast<char>(code);
-    const bool is_allowed =
-        std::string("abcdefghijklmnopqrstuvwxyz0123456789_-").find(character) != std::string::npos;
-    EXPECT_EQ(is_fleet_name(std::string(1, character)), is_allowed) << code;
-  }
-}
-
 TEST(FleetTopic, KeepsWhatALateJoinerNeeds) {
   EXPECT_TRUE(is_retained(TopicKind::kSubmap));
   EXPECT_TRUE(is_retained(TopicKind::kPresence));
