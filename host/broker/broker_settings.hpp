@@ -39,8 +39,8 @@ struct BrokerSettings {
   /// Names and addresses that clients use for this machine, beside localhost and `address`: what
   /// its certificate is for.
   std::vector<std::string> host_names;
-  /// Largest payload, bytes: a manifest of 10,000 objects with some 40 bytes each fits.
-  std::size_t max_payload_bytes = std::size_t{512} << 10;
+  /// Largest payload, bytes: that of a fleet's messages.
+  std::size_t max_payload_bytes = std::size_t{16} << 10;
   /// What waits for one client at most, bytes, four times 10,000 objects of 1.5 kB. Mosquitto keeps
   /// a message once, for however many it waits.
   std::size_t max_queued_bytes = std::size_t{64} << 20;

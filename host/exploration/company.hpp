@@ -24,6 +24,7 @@ struct PromisedLook {
 struct OccupiedFloor {
   Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
   double radius_m = 0.0;
+  bool is_closed = false;  ///< No way leads over it; otherwise it is dear floor.
 };
 
 /// What others who explore the same floor know and do, as far as it matters to a robot that decides

@@ -93,18 +93,26 @@ void CostGrid::open_along(const RasterMap& map,
   }
 }
 
-void CostGrid::raise_around(const Eigen::Vector2d& at_m, double radius_m, double factor) {
+template <class Change>
+void CostGrid::change_around(const Eigen::Vector2d& at_m, double radius_m, Change change) {
   const CellIndex low = cell_at(at_m.array() - radius_m);
   const CellIndex high = cell_at(at_m.array() + radius_m);
-  const auto least = static_cast<std::uint8_t>(kPlain * factor);
   for (std::int32_t y = low.y; y <= high.y; ++y) {
     for (std::int32_t x = low.x; x <= high.x; ++x) {
       if (is_open({x, y}) && (center_m({x, y}) - at_m).norm() <= radius_m) {
-        std::uint8_t& cost = costs_[index({x, y})];
-        cost = std::max(cost, least);
+        change(costs_[index({x, y})]);
       }
     }
   }
+}
+
+void CostGrid::raise_around(const Eigen::Vector2d& at_m, double radius_m, double factor) {
+  const auto least = static_cast<std::uint8_t>(kPlain * factor);
+  change_around(at_m, radius_m, [&](std::uint8_t& cost) { cost = std::max(cost, least); });
+}
+
+void CostGrid::close_around(const Eigen::Vector2d& at_m, double radius_m) {
+  change_around(at_m, radius_m, [](std::uint8_t& cost) { cost = 0; });
 }
 
 CellIndex CostGrid::cell_at(const Eigen::Vector2d& point_m) const {

@@ -54,6 +54,8 @@ class CostGrid {
   /// Makes the open cells within `radius_m` of a point cost at least so many times open floor, up
   /// to 30: somebody stands there who may have left when the robot comes.
   void raise_around(const Eigen::Vector2d& at_m, double radius_m, double factor);
+  /// Closes the cells within `radius_m` of a point: somebody stands there who stays.
+  void close_around(const Eigen::Vector2d& at_m, double radius_m);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
@@ -81,6 +83,9 @@ class CostGrid {
   }
 
  private:
+  /// Calls `change` with the cost of each open cell within `radius_m` of a point.
+  template <class Change>
+  void change_around(const Eigen::Vector2d& at_m, double radius_m, Change change);
   void inflate(const mapping::RasterMap& map, const CostGridParams& params);
   void open_around(const mapping::RasterMap& map,
                    geometry::CellIndex middle,

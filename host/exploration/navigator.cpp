@@ -45,8 +45,14 @@ void Navigator::set_map(const RasterMap& map, const pipeline::Snapshot& snapshot
 void Navigator::set_hypothetical_map(const RasterMap& map, const pipeline::Snapshot& snapshot) {
   costs_ = costs_on(map, snapshot, params_.costs);
   for (const OccupiedFloor& other : standing_) {
-    costs_->raise_around(
-        other.at_m, other.radius_m + params_.costs.robot_radius_m, params_.standing_cost);
+    const double radius_m = other.radius_m + params_.costs.robot_radius_m;
+    if (other.is_closed) {
+      // The robot may stand nearer already: then it may leave.
+      const double apart_m = (other.at_m - snapshot.latest.T_map_robot.position_m()).norm();
+      costs_->close_around(other.at_m, std::min(radius_m, apart_m - costs_->resolution_m()));
+    } else {
+      costs_->raise_around(other.at_m, radius_m, params_.standing_cost);
+    }
   }
 }
 

@@ -197,6 +197,18 @@ void FleetExchange::take_in() {
   for (const HeardAsk& heard : knowledge_.take_asks()) {
     answer(heard);
   }
+  if (knowledge_.kept_boot_id() > params_.boot_id) {
+    begin_later_boot(knowledge_.kept_boot_id() + 1);
+  }
+}
+
+/// A clock that was set back, or not set yet, has given this start a number that was used before:
+/// what was said with it counts for nothing and is said again.
+void FleetExchange::begin_later_boot(std::uint32_t boot_id) {
+  params_.boot_id = boot_id;
+  presence_sent_s_.reset();
+  sent_pose_.reset();
+  publications_.say_again();
 }
 
 bool FleetExchange::adopt(const FleetTopic& topic,

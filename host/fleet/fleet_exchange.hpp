@@ -82,6 +82,7 @@ class FleetExchange {
 
   void load();
   void take_in();
+  void begin_later_boot(std::uint32_t boot_id);
   /// Becomes the source of a message of its own from before its start. False where it is already.
   bool adopt(const fleet_messages::FleetTopic& topic,
              const fleet_messages::FleetMessage& message,

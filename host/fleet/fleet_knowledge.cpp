@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/fleet/fleet_knowledge.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -177,6 +178,9 @@ void FleetKnowledge::take_found(const TopicMessage& decoded, const mqtt::Message
   const bool is_found = fleet_messages::is_object(kind)
                             ? !has(fleet_messages::content_hash(message.payload))
                             : kind == TopicKind::kGraph;
+  if (message.is_retained) {
+    kept_boot_id_ = std::max(kept_boot_id_, said.sender.boot_id);
+  }
   if (is_found && message.is_retained) {
     found_own_.push_back({decoded, message.payload});
   }
@@ -197,7 +201,12 @@ bool FleetKnowledge::is_new(const TopicMessage& decoded,
     }
     return is_of_this_boot;
   }
-  switch (guard_.take(topic, said.sender, is_of_the_past)) {
+  const bool is_relayed = decoded.topic.kind == TopicKind::kRelay;
+  if (is_relayed && !guard_.is_news(topic, said.sender)) {
+    ++statistics_.outdated;
+    return false;
+  }
+  switch ((is_relayed ? relays_guard_ : guard_).take(topic, said.sender, is_of_the_past)) {
     case Freshness::kNew:
       return true;
     case Freshness::kDuplicate:

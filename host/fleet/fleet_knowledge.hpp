@@ -70,6 +70,9 @@ class FleetKnowledge {
   /// Objects and graphs of this robot since the last call that it did not know of.
   std::vector<FoundPayload> take_found_own();
 
+  /// The largest boot id of what the broker had kept of this robot; 0 for nothing.
+  std::uint32_t kept_boot_id() const { return kept_boot_id_; }
+
   FleetState state(double now_s) const;
   const std::map<std::string, RobotKnowledge>& robots() const { return robots_; }
   bool is_alive(const std::string& robot, double now_s) const;
@@ -108,7 +111,8 @@ class FleetKnowledge {
   std::string fleet_;
   std::string robot_;
   double gone_after_s_;
-  ReplayGuard guard_;
+  ReplayGuard guard_;         ///< Of what authors have sent themselves,
+  ReplayGuard relays_guard_;  ///< and of what others say that they have: it never overrules that.
   std::map<std::string, RobotKnowledge> robots_;
   std::map<std::string, std::map<std::string, StoredPayload>> stored_;
   std::set<std::string> behind_;
@@ -116,6 +120,7 @@ class FleetKnowledge {
   mutable std::optional<fleet_messages::ContentHash> object_set_;  ///< Empty: to be computed.
   std::vector<HeardAsk> asks_;
   std::vector<FoundPayload> found_own_;
+  std::uint32_t kept_boot_id_ = 0;
   std::uint64_t revision_ = 0;
   ReceptionStatistics statistics_;
 };

@@ -74,6 +74,16 @@ void Publications::repeat_all(bool (*is_wanted)(fleet_messages::TopicKind), doub
   }
 }
 
+void Publications::say_again() {
+  for (auto& [topic, entry] : entries_) {
+    if (std::holds_alternative<fleet_messages::MessageBody>(entry.content) && !entry.is_withdrawn) {
+      entry.is_changed = true;
+      entry.is_confirmed = false;
+      let_wait(topic, entry);
+    }
+  }
+}
+
 void Publications::withdraw(const std::string& topic) {
   const auto found = entries_.find(topic);
   if (found != entries_.end() && !found->second.is_withdrawn) {

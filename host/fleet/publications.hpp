@@ -66,6 +66,8 @@ class Publications {
   bool repeat(const std::string& topic, double now_s);
   /// The same for all that is on topics of such kinds.
   void repeat_all(bool (*is_wanted)(fleet_messages::TopicKind), double now_s);
+  /// All that bears a boot id, with the one of now.
+  void say_again();
   /// Takes back what is there: the broker is to forget it.
   void withdraw(const std::string& topic);
   /// The broker has it.

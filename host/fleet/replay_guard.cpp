@@ -29,6 +29,11 @@ Freshness ReplayGuard::take(const std::string& topic,
   return Freshness::kNew;
 }
 
+bool ReplayGuard::is_news(const std::string& topic, const fleet_messages::Sender& sender) const {
+  const auto latest = latest_.find(topic);
+  return latest == latest_.end() || latest->second < Stamp{sender.boot_id, sender.counter};
+}
+
 std::uint32_t ReplayGuard::boot_id(const std::string& robot) const {
   const auto found = boot_ids_.find(robot);
   return found == boot_ids_.end() ? 0 : found->second;

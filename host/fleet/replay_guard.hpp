@@ -26,6 +26,8 @@ class ReplayGuard {
   Freshness take(const std::string& topic,
                  const fleet_messages::Sender& sender,
                  bool is_of_the_past);
+  /// Whether nothing of the topic is known, or only what is older.
+  bool is_news(const std::string& topic, const fleet_messages::Sender& sender) const;
   /// The robot's latest boot id; 0 where it is not known.
   std::uint32_t boot_id(const std::string& robot) const;
 

@@ -36,7 +36,8 @@ std::optional<Peer> peer_of(const FleetRobot& robot, const team_map::RelativePos
   peer.position_stddev_m =
       std::hypot(relative.position_stddev_m, position_stddev_m(robot.pose->estimate.covariance));
   peer.radius_m = robot.traits.body_radius_m;
-  if (robot.attendance != Attendance::kLeft) {
+  peer.stays = robot.attendance == Attendance::kLeft;
+  if (!peer.stays) {
     peer.age_s = robot.pose->age_s;
     peer.speed_m_per_s = robot.pose->speed_m_per_s;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -19,6 +20,18 @@ namespace echomap::fleet_messages {
 /// Times are below this, some 8900 years.
 inline constexpr std::uint64_t kMaxStampMs = (std::uint64_t{1} << 48U) - 1;
 
+/// A submap reaches this far from its first reading, and a map from its first stop: grids are made
+/// of them, so that a robot whose map lies on both sides of the earth would take the memory of all.
+inline constexpr std::int64_t kMaxSubmapReachMm = 30'000;
+inline constexpr std::int64_t kMaxMapReachMm = 100'000;
+
+/// Whether a pose is so near to another one, in x and in y.
+constexpr bool is_within(const PoseRow& pose, const PoseRow& middle, std::int64_t reach_mm) {
+  const std::int64_t x_mm = std::int64_t{pose.x_mm} - middle.x_mm;
+  const std::int64_t y_mm = std::int64_t{pose.y_mm} - middle.y_mm;
+  return std::max({x_mm, -x_mm, y_mm, -y_mm}) <= reach_mm;
+}
+
 /// Whether a robot takes part.
 enum class PresenceState : std::uint8_t {
   kHere,
@@ -32,12 +45,17 @@ struct PresenceMessage {
   std::uint8_t state = 0;        ///< A PresenceState.
   std::uint16_t map_number = 0;  ///< Of the map that it is making now.
   std::uint16_t body_radius_mm = 0;
-  std::uint16_t beam_half_angle = 0;
-  std::uint32_t own_objects = 0;    ///< How many its manifest has.
+  std::uint16_t beam_half_angle = 2367;  ///< 13 degrees.
+  std::uint32_t own_objects = 0;         ///< How many its manifest has.
   ContentHash latest_set;           ///< Of the payloads of its latest graphs, claims and alignment.
   std::uint32_t known_objects = 0;  ///< How many it has, of whomever,
   ContentHash known_set;            ///< and the hash of their set.
   bool operator==(const PresenceMessage&) const = default;
+
+  /// Whether there is such a robot: a hull of up to 5 m, a beam of up to 45 degrees to each side.
+  bool is_consistent() const {
+    return body_radius_mm <= 5000 && beam_half_angle > 0 && beam_half_angle <= 65536 / 8;
+  }
 
   template <class M, class V>
   static void fields(M& self, V& visit) {
@@ -82,8 +100,16 @@ struct SubmapMessage {
   std::vector<ContactRow> contacts;
   bool operator==(const SubmapMessage&) const = default;
 
-  /// Whether it is a submap: with readings, in the order of time.
-  bool is_consistent() const { return !readings.empty() && begin_ms <= end_ms; }
+  /// Whether it is a submap: with readings, in the order of time, all of one place.
+  bool is_consistent() const {
+    const auto is_near = [this](const PoseRow& T_odom_robot) {
+      return is_within(T_odom_robot, readings.front().T_odom_robot, kMaxSubmapReachMm);
+    };
+    return !readings.empty() && begin_ms <= end_ms &&
+           std::ranges::all_of(readings, is_near, &ReadingRow::T_odom_robot) &&
+           std::ranges::all_of(T_odom_way, is_near) &&
+           std::ranges::all_of(contacts, is_near, &ContactRow::T_odom_robot);
+  }
 
   template <class M, class V>
   static void fields(M& self, V& visit) {
@@ -104,6 +130,12 @@ struct GraphMessage {
   CovariancePart latest_covariance;    ///< Of the last of them, given the first.
   std::vector<PoseRow> T_map_submaps;  ///< By the submaps' index.
   bool operator==(const GraphMessage&) const = default;
+
+  bool is_consistent() const {
+    return std::ranges::all_of(T_map_submaps, [](const PoseRow& T_map_submap) {
+      return is_within(T_map_submap, {}, kMaxMapReachMm);
+    });
+  }
 
   template <class M, class V>
   static void fields(M& self, V& visit) {

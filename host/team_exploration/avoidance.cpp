@@ -35,6 +35,8 @@ Avoidance::Avoidance(const AvoidanceParams& params)
       .require(!params.robot.empty(), "the robot needs a name")
       .positive("look_again_s", params.look_again_s)
       .positive("patience_s", params.patience_s)
+      .positive("max_patiences", params.max_patiences)
+      .positive("moved_m", params.moved_m)
       .positive("turn_s", params.turn_s)
       .at_least("min_aside_s", params.min_aside_s, 0.0)
       .at_least("max_aside_s", params.max_aside_s, params.min_aside_s)
@@ -98,10 +100,28 @@ Motion Avoidance::wait(const Snapshot& snapshot, const TeamView& view, double no
   }
   const double all_turns_s = params_.turn_s * static_cast<double>(robots.size());
   if (now_s - held_->since_s >= std::max(params_.patience_s, 2.0 * all_turns_s)) {
+    lose_patience(view);
     held_.reset();
     wants_another_goal_ = true;
   }
   return Stand{params_.look_again_s};
+}
+
+void Avoidance::lose_patience(const TeamView& view) {
+  if (const Peer* peer = find_peer(view, held_->by)) {
+    LostPatience& lost = lost_patience_[peer->robot];
+    if ((lost.at_m - peer->T_map_robot.position_m()).norm() > params_.moved_m) {
+      lost = {peer->T_map_robot.position_m(), 0};
+    }
+    ++lost.times;
+  }
+}
+
+bool Avoidance::stays(const Peer& peer) const {
+  const auto lost = lost_patience_.find(peer.robot);
+  return peer.stays ||
+         (lost != lost_patience_.end() && lost->second.times >= params_.max_patiences &&
+          (lost->second.at_m - peer.T_map_robot.position_m()).norm() <= params_.moved_m);
 }
 
 /// The robots of a deadlock take turns from the last name on.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ struct AvoidanceParams {
   /// After so long a peer in the way is taken for one that stays: another goal, or another way, may
   /// be the better one.
   double patience_s = 6.0;
+  /// One in the way for so often its patience, who has not moved this far meanwhile, stays.
+  std::size_t max_patiences = 3;
+  double moved_m = 0.3;
   /// Of a deadlock the robot whose name comes last makes way at once, and each before it so much
   /// later, for the case that those behind it cannot.
   double turn_s = 8.0;
@@ -71,6 +75,10 @@ class Avoidance {
   bool is_making_way() const { return aside_.has_value(); }
   /// Who is in its way; empty for nobody.
   std::string waits_for() const;
+  /// Between the middles of the two robots, so that no motion comes too near.
+  double keep_off_m(const Peer& peer) const { return guard_.keep_off_m(peer); }
+  /// Whether no way leads past that peer: it stays where it is.
+  bool stays(const Peer& peer) const;
   /// Whether it has waited so long, or gone so far, that another goal may be better. Says so once.
   bool wants_another_goal();
   const Encounters& encounters() const { return encounters_; }
@@ -84,6 +92,11 @@ class Avoidance {
     double turn_s = 0.0;  ///< When its last turn to make way was; at first as `since_s`.
     bool is_deadlock = false;
   };
+  /// How often the robot has lost its patience with somebody who stood there.
+  struct LostPatience {
+    Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
+    std::size_t times = 0;
+  };
   /// While another one passes.
   struct Aside {
     std::string whom;
@@ -92,6 +105,7 @@ class Avoidance {
   };
 
   exploration::Motion wait(const pipeline::Snapshot& snapshot, const TeamView& view, double now_s);
+  void lose_patience(const TeamView& view);
   bool is_its_turn(const std::vector<std::string>& robots, double now_s);
   bool begin_aside(const pipeline::Snapshot& snapshot,
                    const TeamView& view,
@@ -105,6 +119,7 @@ class Avoidance {
   exploration::Navigator navigator_;  ///< On the way aside.
   std::optional<Held> held_;
   std::optional<Aside> aside_;
+  std::map<std::string, LostPatience> lost_patience_;  ///< By robot.
   bool wants_another_goal_ = false;
   Encounters encounters_;
 };

@@ -57,7 +57,8 @@ TeamExplorer::TeamExplorer(TeamBoard& board, const TeamExplorerParams& params)
       .positive("reach_m", params.reach_m)
       .positive("max_silent_s", params.max_silent_s)
       .at_least("rebid_share", params.rebid_share, 0.0)
-      .positive("decide_again_s", params.decide_again_s);
+      .positive("decide_again_s", params.decide_again_s)
+      .at_least("idle_s", params.idle_s, 0.0);
 }
 
 Motion TeamExplorer::next(const Snapshot& snapshot, MotionResult last) {
@@ -109,16 +110,44 @@ Motion TeamExplorer::explore(const Snapshot& snapshot, MotionResult last) {
     avoidance_.make_way(snapshot, view_);
     return Stand{params_.avoidance.look_again_s};
   }
-  frontier_.set_company(company_of(view_));
+  frontier_.set_company(company());
   const Motion motion = frontier_.next(snapshot, last);
   decided_by_ = view_.grid;
   const auto* finished = std::get_if<Finished>(&motion);
-  if (finished == nullptr || finished->reason != FinishReason::kComplete || view_.claims.empty()) {
+  const bool is_complete = finished != nullptr && finished->reason == FinishReason::kComplete;
+  if (!is_complete || are_all_idle(now_s)) {
     decide_again_s_.reset();
+    idle_since_s_.reset();
     return motion;
   }
   decide_again_s_ = now_s + params_.decide_again_s;
   return Stand{params_.avoidance.look_again_s};
+}
+
+/// Nobody claims anything, and that for a while: a claim may be on its way, and a robot that has
+/// left makes way for nobody.
+bool TeamExplorer::are_all_idle(double now_s) {
+  if (!view_.claims.empty()) {
+    idle_since_s_.reset();
+    return false;
+  }
+  const bool is_alone = std::ranges::all_of(view_.peers, &Peer::stays);
+  idle_since_s_ = idle_since_s_.value_or(now_s);
+  return is_alone || now_s - *idle_since_s_ >= params_.idle_s;
+}
+
+/// Those who stay are walls, with the room that is left to them; others will be gone.
+exploration::Company TeamExplorer::company() const {
+  exploration::Company company = company_of(view_);
+  for (std::size_t i = 0; i < view_.peers.size(); ++i) {
+    if (avoidance_.stays(view_.peers[i])) {
+      exploration::OccupiedFloor& floor = company.standing[i];
+      floor.is_closed = true;
+      floor.radius_m =
+          avoidance_.keep_off_m(view_.peers[i]) - params_.avoidance.guard.robot_radius_m;
+    }
+  }
+  return company;
 }
 
 /// For the goal it is on the way to; what it has claimed holds while it looks from there. A robot

@@ -25,6 +25,8 @@ struct TeamExplorerParams {
   double rebid_share = 0.2;
   /// A robot that waits for others to finish decides again so often.
   double decide_again_s = 5.0;
+  /// And it has finished when nobody has claimed anything for so long.
+  double idle_s = 10.0;
 };
 
 /// What `frontier` goes by in a building, where the robot's own parameters are for a room. A gap in
@@ -52,6 +54,8 @@ class TeamExplorer final : public exploration::Explorer {
   exploration::Motion decide(const pipeline::Snapshot& snapshot, exploration::MotionResult last);
   bool has_lost_goal();
   exploration::Motion explore(const pipeline::Snapshot& snapshot, exploration::MotionResult last);
+  bool are_all_idle(double now_s);
+  exploration::Company company() const;
   void bid(double now_s, bool has_finished);
 
   TeamExplorerParams params_;
@@ -62,6 +66,7 @@ class TeamExplorer final : public exploration::Explorer {
   std::shared_ptr<const mapping::OccupancyGrid> decided_by_;  ///< The map of all at that time.
   std::vector<Claim> lost_to_;            ///< Better claims that it has decided by, on this way.
   std::optional<double> decide_again_s_;  ///< While it waits for others to finish.
+  std::optional<double> idle_since_s_;    ///< While it does, and nobody claims anything.
   /// The goal that it has claimed, and when.
   std::optional<exploration::Viewpoint> goal_;
   double claimed_s_ = 0.0;

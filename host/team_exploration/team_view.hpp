@@ -23,6 +23,7 @@ struct Peer {
   double radius_m = 0.0;
   double age_s = 0.0;          ///< Since it told its pose.
   double speed_m_per_s = 0.0;  ///< Forward, when it told its pose.
+  bool stays = false;          ///< It has said good-bye: nobody drives it any more.
 };
 
 /// A place that a robot bids to look from. The claim with more utility holds; of two alike, that

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -57,6 +58,43 @@ class RandomFleetFields {
   std::mt19937& random_;
 };
 
+/// A pose at most so far from another one, by the pose.
+inline fleet_messages::PoseRow brought_near(fleet_messages::PoseRow pose,
+                                            const fleet_messages::PoseRow& middle,
+                                            std::int64_t reach_mm) {
+  const auto near_mm = [&](std::int32_t at_mm, std::int32_t middle_mm) {
+    const std::int64_t near_mm = middle_mm + at_mm % reach_mm;
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(near_mm, INT32_MIN, INT32_MAX));
+  };
+  pose.x_mm = near_mm(pose.x_mm, middle.x_mm);
+  pose.y_mm = near_mm(pose.y_mm, middle.y_mm);
+  return pose;
+}
+
+/// What random numbers hardly ever are.
+inline void make_consistent(fleet_messages::PresenceMessage& message) {
+  message.body_radius_mm %= 5001;
+  message.beam_half_angle = static_cast<std::uint16_t>(1 + message.beam_half_angle % 8192);
+}
+inline void make_consistent(fleet_messages::GraphMessage& message) {
+  for (fleet_messages::PoseRow& pose : message.T_map_submaps) {
+    pose = brought_near(pose, {}, fleet_messages::kMaxMapReachMm);
+  }
+}
+inline void make_consistent(fleet_messages::SubmapMessage& message) {
+  message.end_ms = std::max(message.begin_ms, message.end_ms);
+  const fleet_messages::PoseRow first = message.readings.front().T_odom_robot;
+  const auto bring_near = [&](fleet_messages::PoseRow& pose) {
+    pose = brought_near(pose, first, fleet_messages::kMaxSubmapReachMm);
+  };
+  std::ranges::for_each(message.readings, bring_near, &fleet_messages::ReadingRow::T_odom_robot);
+  std::ranges::for_each(message.T_odom_way, bring_near);
+  std::ranges::for_each(message.contacts, bring_near, &fleet_messages::ContactRow::T_odom_robot);
+}
+inline void make_consistent(fleet_messages::ClaimMessage& message) {
+  message.waits_for.resize(message.waits_for.size() % 2);
+}
+
 /// A message of the type with that index in MessageBody.
 template <std::size_t kIndex = 0>
 fleet_messages::MessageBody random_fleet_body(std::mt19937& random, std::size_t index) {
@@ -67,11 +105,8 @@ fleet_messages::MessageBody random_fleet_body(std::mt19937& random, std::size_t 
     std::variant_alternative_t<kIndex, fleet_messages::MessageBody> message;
     RandomFleetFields fill(random);
     decltype(message)::fields(message, fill);
-    if constexpr (requires { message.end_ms; }) {
-      message.end_ms = std::max(message.begin_ms, message.end_ms);
-    }
-    if constexpr (requires { message.waits_for; }) {
-      message.waits_for.resize(random() % 2);
+    if constexpr (requires { make_consistent(message); }) {
+      make_consistent(message);
     }
     return message;
   } else {

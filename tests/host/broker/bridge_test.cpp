@@ -44,7 +44,8 @@ class BridgeTest : public testing::Test {
     for (const std::string kind : {"pose", "claim", "clock", "source/1", "ask"}) {
       robot->publish(site_topic(kind), kind, Delivery::kAtLeastOnce, false);
     }
-    for (const std::string kind : {"presence", "graph", "submap/1", "submap/2", "manifest"}) {
+    for (const std::string kind :
+         {"presence", "graph/0", "submap/1", "submap/2", "source/3", "manifest/0"}) {
       robot->publish(site_topic(kind), kind, Delivery::kAtLeastOnce, true);
     }
     EXPECT_TRUE(robot.is_acknowledged());
@@ -55,7 +56,7 @@ class BridgeTest : public testing::Test {
     const auto has_all = [&] {
       return hub.heard().size() >= 5 &&
              std::ranges::any_of(hub.heard(), [](const Message& message) {
-               return message.topic == region_topic("manifest");
+               return message.topic == region_topic("manifest/0");
              });
     };
     EXPECT_TRUE(hub.serve_until(has_all));
@@ -69,10 +70,11 @@ class BridgeTest : public testing::Test {
   tests::RunningBroker region_{region_settings()};
   tests::RunningBroker site_{site_settings()};
   std::set<std::string> closed_{region_topic("presence"),
-                                region_topic("graph"),
+                                region_topic("graph/0"),
                                 region_topic("submap/1"),
                                 region_topic("submap/2"),
-                                region_topic("manifest")};
+                                region_topic("source/3"),
+                                region_topic("manifest/0")};
 };
 
 TEST_F(BridgeTest, TakesUpWhatIsClosedAndNoPoses) {

@@ -70,7 +70,7 @@ TEST(BrokerConfiguration, ABridgeTakesWhatIsClosedBelowTheSitesName) {
               AllOf(HasSubstr("connection site7\naddress up.example:8883\n"),
                     HasSubstr("bridge_cafile /up/ca.crt\n"),
                     HasSubstr("topic +/submap/+ out 1 echomap/1/lab/ echomap/1/region/site7/\n"),
-                    HasSubstr("topic +/manifest out 1 echomap/1/lab/ echomap/1/region/site7/\n"),
+                    HasSubstr("topic +/manifest/+ out 1 echomap/1/lab/ echomap/1/region/site7/\n"),
                     Not(HasSubstr("pose")),
                     Not(HasSubstr("claim")),
                     Not(HasSubstr(" both ")),

@@ -62,6 +62,18 @@ TEST_F(NavigatorTest, LeadsRoundSomebodyWhoStandsThere) {
   EXPECT_LT((T_map_robot().position_m() - Eigen::Vector2d(2.0, 0.0)).norm(), 0.06);
 }
 
+TEST_F(NavigatorTest, HasNoWayOverSomebodyWhoStaysButAwayFromHim) {
+  const Eigen::Vector2d at_m(0.25, 0.0);
+  navigator.set_standing({{at_m, 0.3, true}});
+  navigator.set_map(navigator.map_of(robot.snapshot, 0.0), robot.snapshot);
+  const auto cost_m = [&](const Eigen::Vector2d& goal_m) {
+    return navigator.travel().cost_m(navigator.costs().cell_at(goal_m));
+  };
+  EXPECT_FALSE(cost_m(at_m)) << "the robot stands nearer to him than it would come by itself";
+  EXPECT_TRUE(cost_m({-0.5, 0.0}));
+  EXPECT_TRUE(cost_m({2.0, 0.5})) << "round him";
+}
+
 TEST_F(NavigatorTest, GivesAWayUpThatTakesTooLong) {
   navigator.follow_path_to(T_map_robot(), {2.0, 0.0}, 2.0);
   int motions = 0;

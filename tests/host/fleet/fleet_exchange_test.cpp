@@ -358,6 +358,24 @@ TEST(FleetExchange, IsTheSourceAgainAfterARestartWithItsFolder) {
   EXPECT_EQ(told.maps[1].record->submaps.size(), 1U);
 }
 
+TEST(FleetExchange, IsHeardThoughItsClockWasSetBack) {
+  FleetOfRobots fleet;
+  const FleetExchange& other = fleet.add("r2");
+  fleet.add(FleetOfRobots::params_of("r1", 5000));
+  fleet.stop_once("r1");
+  fleet.run(20.0);
+  fleet.kill("r1");
+  fleet.add(FleetOfRobots::params_of("r1", 70));
+  fleet.run(5.0);
+  fleet.stop_once("r1");
+  fleet.run(20.0);
+  EXPECT_EQ(refused(other, RefusedReason::kOldBoot), 0U);
+  const FleetRobot told = robot_in(other.state(), "r1");
+  EXPECT_EQ(told.attendance, Attendance::kAlive);
+  ASSERT_EQ(told.maps.size(), 2U);
+  EXPECT_EQ(told.maps[1].record->submaps.size(), 1U);
+}
+
 TEST(FleetExchange, IsTheSourceAgainOfWhatTheBrokerHasKept) {
   FleetOfRobots fleet;
   fleet.add("r1");

@@ -102,6 +102,35 @@ TEST_F(FleetKnowledgeTest, AcceptsRelaysOfRobotsThatAreNotHere) {
   EXPECT_TRUE(has(forged)) << "r2 itself has said that it made it";
 }
 
+TEST_F(FleetKnowledgeTest, BelievesAnAuthorThatIsBackWhateverARelayHadOfIt) {
+  FleetMessage forged;
+  forged.sender = {"r2", 0xFFFFFFFF, 0xFFFFFFFF};
+  forged.body = ClaimMessage{0, {{1, 2, 3, 4}}};
+  const std::string payload = fleet_messages::encode(forged).value();
+  const mqtt::Message relay =
+      relayed("r3",
+              {fleet_messages::format_topic(fleet_messages::topic_of("hall", forged, payload)),
+               payload,
+               false});
+  forged.body = fleet_messages::to_graph_message({{}}, Eigen::Matrix3d::Zero(), 0).value();
+  const std::string graph = fleet_messages::encode(forged).value();
+  knowledge_.take(
+      relayed("r3",
+              {fleet_messages::format_topic(fleet_messages::topic_of("hall", forged, graph)),
+               graph,
+               false}),
+      1.0);
+  knowledge_.take(relay, 1.0);
+  const mqtt::Message own = message_by(
+      "r2",
+      fleet_messages::to_graph_message({{}, {1.0, 0.0, 0.0}}, Eigen::Matrix3d::Zero(), 0).value(),
+      7);
+  knowledge_.take(own, 2.0);
+  EXPECT_TRUE(knowledge_.is_alive("r2", 2.0));
+  EXPECT_EQ(refused(RefusedReason::kOldBoot) + refused(RefusedReason::kReplayed), 0U);
+  EXPECT_EQ(knowledge_.stored("r2").at(own.topic).payload, own.payload);
+}
+
 TEST_F(FleetKnowledgeTest, NoticesWhatALatePresenceSaysIsMissing) {
   const mqtt::Message claim = message_by("r2", ClaimMessage{0, {{1, 2, 3, 4}}}, 1);
   fleet_messages::PresenceMessage presence;

@@ -49,6 +49,26 @@ TEST(FleetPayload, OfEveryKindIsReadBack) {
   }
 }
 
+// A grid is made of what a robot tells, and a mapper of what it is like.
+TEST(FleetPayload, HasNothingThatNoRobotIsOrReaches) {
+  PresenceMessage presence;
+  presence.beam_half_angle = 0;
+  EXPECT_FALSE(encode({{"r1", 7, 42}, presence}));
+  presence.beam_half_angle = 8193;
+  EXPECT_FALSE(encode({{"r1", 7, 42}, presence}));
+  SubmapMessage submap;
+  submap.readings.resize(2);
+  submap.readings[0].T_odom_robot.x_mm = INT32_MIN;
+  submap.readings[1].T_odom_robot.x_mm = INT32_MAX;
+  EXPECT_FALSE(encode({{"r1", 0, 0}, submap})) << "more than an int32 apart";
+  submap.readings[1].T_odom_robot.x_mm = INT32_MIN + 30'000;
+  EXPECT_TRUE(encode({{"r1", 0, 0}, submap}));
+  submap.contacts = {{{INT32_MIN, 30'001, 0}, 1}};
+  EXPECT_FALSE(encode({{"r1", 0, 0}, submap}));
+  EXPECT_TRUE(encode({{"r1", 7, 42}, GraphMessage{0, {}, {{100'000, 0, 0}}}}));
+  EXPECT_FALSE(encode({{"r1", 7, 42}, GraphMessage{0, {}, {{0, -100'001, 0}}}}));
+}
+
 TEST(FleetPayload, IsWrittenAsTheDocumentSays) {
   const std::string expected(
       "\x01\x06\x00"      // version, claim, not packed

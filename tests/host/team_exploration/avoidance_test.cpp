@@ -77,6 +77,21 @@ TEST_F(AvoidanceTest, LooksForSomethingElseWhenItsPatienceIsAtAnEnd) {
   EXPECT_FALSE(avoidance.wants_another_goal()) << "once is enough";
 }
 
+TEST_F(AvoidanceTest, TakesWhoNeverMovesForOneWhoStaysUntilHeMoves) {
+  Avoidance avoidance(named("a"));
+  view.peers = {peer_at("b", {1.8, 0.0, 0.0})};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(avoidance.stays(view.peers.front())) << i;
+    avoidance.checked(at_s(10.0 * i), view, tests::kRollAhead);
+    next(avoidance, 10.0 * i + 7.0);
+  }
+  EXPECT_TRUE(avoidance.stays(view.peers.front()));
+  view.peers = {peer_at("b", {2.2, 0.0, 0.0})};
+  EXPECT_FALSE(avoidance.stays(view.peers.front()));
+  view.peers.front().stays = true;
+  EXPECT_TRUE(avoidance.stays(view.peers.front()));
+}
+
 TEST_F(AvoidanceTest, OfADeadlockTheLastNameMakesWayAndTheFirstWaits) {
   T_map_robot = Pose2(1.6, 0.0, std::numbers::pi);
   view.peers = {peer_at("b", {1.35, 0.0, 0.0})};

@@ -121,6 +121,45 @@ TEST_F(TeamExplorerTest, HasFinishedWhenTheMapOfAllIsComplete) {
   EXPECT_EQ(std::get<Finished>(motion).reason, exploration::FinishReason::kComplete);
 }
 
+TEST_F(TeamExplorerTest, HasNotFinishedBeforeNobodyHasClaimedAnythingForAWhile) {
+  TeamExplorer explorer(board, member("a"));
+  board.shown.grid = std::make_shared<const mapping::OccupancyGrid>(tests::open_hall(true));
+  other_bids(100.0);
+  const auto is_finished_at = [&](double now_s) {
+    return std::holds_alternative<Finished>(
+        explorer.next(snapshot({}, now_s), MotionResult::kReached));
+  };
+  EXPECT_FALSE(std::holds_alternative<Finished>(first_move(explorer)));
+  EXPECT_FALSE(is_finished_at(30.0)) << "the other one is on its way";
+  board.shown.claims.clear();
+  EXPECT_FALSE(is_finished_at(36.0)) << "the claim may only be late";
+  other_bids(100.0);
+  EXPECT_FALSE(is_finished_at(42.0));
+  board.shown.claims.clear();
+  EXPECT_FALSE(is_finished_at(48.0));
+  EXPECT_TRUE(is_finished_at(59.0));
+}
+
+TEST_F(TeamExplorerTest, WaitsForNobodyWhoHasLeft) {
+  TeamExplorer explorer(board, member("a"));
+  board.shown.grid = std::make_shared<const mapping::OccupancyGrid>(tests::open_hall(true));
+  other_bids(100.0);
+  board.shown.claims.clear();
+  board.shown.peers.front().stays = true;
+  EXPECT_TRUE(std::holds_alternative<Finished>(first_move(explorer)));
+}
+
+// The hall is 2 m wide; one who stays in the middle leaves a way to both sides, five leave none.
+TEST_F(TeamExplorerTest, HasFinishedWhereOnlyThoseWhoStayLeadOn) {
+  TeamExplorer explorer(board, member("a"));
+  for (const double y_m : {-0.8, -0.4, 0.0, 0.4, 0.8}) {
+    board.shown.peers.push_back(peer_at("b" + std::to_string(y_m), {2.0, y_m, 0.0}));
+    board.shown.peers.back().stays = true;
+  }
+  board.shown.grid = std::make_shared<const mapping::OccupancyGrid>(tests::open_hall());
+  EXPECT_TRUE(std::holds_alternative<Finished>(first_move(explorer)));
+}
+
 TEST_F(TeamExplorerTest, DecidesAgainWhenOthersHaveShownItsGoal) {
   TeamExplorer explorer(board, member("a"));
   first_move(explorer);
