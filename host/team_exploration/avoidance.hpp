@@ -71,6 +71,8 @@ class Avoidance {
   bool is_making_way() const { return aside_.has_value(); }
   /// Who is in its way; empty for nobody.
   std::string waits_for() const;
+  /// Whether those in its way wait in turn for this robot.
+  bool is_in_deadlock() const { return held_ && held_->is_deadlock; }
   /// Whether it has waited so long, or gone so far, that another goal may be better. Says so once.
   bool wants_another_goal();
   const Encounters& encounters() const { return encounters_; }
