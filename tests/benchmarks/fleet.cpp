@@ -92,6 +92,9 @@ void add_team_options(CLI::App& app, FleetOptions& options) {
   app.add_option("--jobs", runs.jobs, "Fleets that run at a time")
       ->check(CLI::Range(1, 2))
       ->capture_default_str();
+  app.add_option("--patience-min", runs.patience_min, "A run that takes longer has not ended")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_option("--runs", runs.folder, "Folder of the runs; those that are there are not repeated")
       ->capture_default_str();
   app.add_option("--table", options.table, "Write the table of the runs to this file");

@@ -26,8 +26,6 @@ namespace fs = std::filesystem;
 using geometry::Pose2;
 using nlohmann::json;
 
-/// A fleet of four in the largest world, on an emulator, beside others.
-constexpr std::chrono::minutes kPatience(45);
 /// Larger ones have bounds of their own.
 constexpr const char* kLargeWorld = "ward";
 constexpr const char* kCost = "cost.json";
@@ -75,7 +73,7 @@ void make_run(const TeamRuns& runs,
   fs::create_directories(folder);
   const auto begin = std::chrono::steady_clock::now();
   session::ChildProcess fleet(command_of(runs, what, starts, folder), folder / "fleet.log");
-  const auto exit = fleet.wait_for(kPatience);
+  const auto exit = fleet.wait_for(std::chrono::minutes(runs.patience_min));
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   const json cost{
       {"exit", exit ? json(*exit) : json()}, {"wall_s", wall.count()}, {"cpu_s", fleet.cpu_s()}};

@@ -22,6 +22,7 @@ struct TeamRuns {
   /// start, or "drawn" for all of them.
   std::string starts = "drawn";
   int jobs = 1;                     ///< Fleets at a time.
+  int patience_min = 45;            ///< Minutes by the wall after which one has not ended.
   std::filesystem::path folder{};   ///< Of all runs; one that is there is not made again.
   std::filesystem::path program{};  ///< Empty: the echomap beside this program.
 };
