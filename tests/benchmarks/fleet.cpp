@@ -16,6 +16,7 @@
 #include "tests/benchmarks/fleet_load.hpp"
 #include "tests/benchmarks/fleet_record.hpp"
 #include "tests/benchmarks/mrclam6_joint.hpp"
+#include "tests/benchmarks/source_figures.hpp"
 #include "tests/benchmarks/team_figures.hpp"
 #include "tests/benchmarks/team_runs.hpp"
 
@@ -27,6 +28,7 @@ struct FleetOptions {
   TeamRuns teams;
   std::filesystem::path table;
   std::uint32_t exchange_seeds = 40;
+  std::uint32_t source_seeds = 40;
   double load_s = 30.0;
   std::filesystem::path record;
   std::filesystem::path json;
@@ -63,6 +65,9 @@ std::vector<Figure> fleet_figures(const FleetOptions& options) {
   }
   if (options.has("exchange")) {
     append(exchange_figures(options.exchange_seeds));
+  }
+  if (options.has("source")) {
+    append(source_figures(options.source_seeds));
   }
   if (options.has("teams")) {
     append(teams(options));
@@ -107,11 +112,14 @@ int main(int argc, char** argv) {
   echomap::bench::FleetOptions options;
   CLI::App app("What a fleet of robots costs and shows");
   app.add_option("--part", options.part, "Only these figures")
-      ->check(CLI::IsMember({"all", "exchange", "load", "mrclam6", "teams"}))
+      ->check(CLI::IsMember({"all", "exchange", "load", "mrclam6", "source", "teams"}))
       ->capture_default_str();
   echomap::bench::add_team_options(app, options);
   app.add_option("--exchange-seeds", options.exchange_seeds, "Fleets to which things happen")
       ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--source-seeds", options.source_seeds, "Searches of a source per world")
+      ->check(CLI::Range(4, 10000))
       ->capture_default_str();
   app.add_option("--load-s", options.load_s, "Replay so many seconds for each number of robots")
       ->check(CLI::PositiveNumber)

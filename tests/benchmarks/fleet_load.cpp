@@ -231,30 +231,6 @@ class LoadRun {
 
 }  // namespace
 
-LoadRecord planned_record() {
-  constexpr double kRecordS = 346.0;
-  constexpr int kStops = 19;
-  std::vector<RecordedMessage> record;
-  for (int second = 0; second < static_cast<int>(kRecordS); ++second) {
-    record.push_back({1.0 * second, "pose", 56, Delivery::kAtMostOnce, false});
-    if (second % 5 == 0) {
-      record.push_back({second + 0.3, "presence", 32, Delivery::kAtLeastOnce, true});
-    }
-  }
-  for (int stop = 0; stop < kStops; ++stop) {
-    const double at_s = kRecordS * (stop + 0.5) / kStops;
-    const auto objects = static_cast<std::size_t>(stop) + 1;
-    record.push_back(
-        {at_s, fmt::format("submap/{:016x}", stop), 600, Delivery::kAtLeastOnce, true});
-    record.push_back({at_s, "graph", 40 + 24 * objects, Delivery::kAtLeastOnce, true});
-    record.push_back({at_s, "manifest", 40 + 24 * objects, Delivery::kAtLeastOnce, true});
-    record.push_back({at_s + 1.0, "claim", 48, Delivery::kAtLeastOnce, false});
-    record.push_back({at_s + 6.0, "claim", 48, Delivery::kAtLeastOnce, false});
-  }
-  std::ranges::stable_sort(record, {}, &RecordedMessage::at_s);
-  return {kRecordS, {std::move(record)}};
-}
-
 LoadResult measure_load(const LoadParams& params, const LoadRecord& record) {
   const auto is_empty = [](const auto& robot) { return robot.empty(); };
   if (record.robots.empty() || record.duration_s <= 0.0 ||

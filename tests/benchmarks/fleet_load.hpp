@@ -26,10 +26,6 @@ struct LoadRecord {
   std::vector<std::vector<RecordedMessage>> robots;
 };
 
-/// What one robot is planned to publish in 346 s with 19 stops, which is how long frontier takes in
-/// corridor_rooms: the rates and sizes of the fleet's messages, without what is in them.
-LoadRecord planned_record();
-
 /// How many robots replay a record.
 struct LoadParams {
   std::size_t robots = 50;
