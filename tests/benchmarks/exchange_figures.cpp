@@ -12,8 +12,8 @@ namespace echomap::bench {
 namespace {
 
 bool has_all(const tests::FaultyFleetRun& run) {
-  return run.is_same && run.late_objects >= tests::kLeastFaultyFleetObjects &&
-         run.late_objects <= tests::kMostFaultyFleetObjects;
+  return run.is_same && run.late_objects >= tests::kMinFaultyFleetObjects &&
+         run.late_objects <= tests::kMaxFaultyFleetObjects;
 }
 
 /// One that throws has not converged.

@@ -80,27 +80,27 @@ class IdealRoom {
 
   /// Metres of way from there to each node over clear ones that `may_pass`.
   template <class MayPass>
-  std::vector<double> ways_m(std::size_t from, const MayPass& may_pass) const {
+  std::vector<double> paths_m(std::size_t from, const MayPass& may_pass) const {
     using Entry = std::pair<double, std::size_t>;
-    std::vector<double> ways_m(cells_.size(), kNever);
+    std::vector<double> paths_m(cells_.size(), kNever);
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    ways_m[from] = 0.0;
+    paths_m[from] = 0.0;
     open.emplace(0.0, from);
     while (!open.empty()) {
-      const auto [way_m, node] = open.top();
+      const auto [path_m, node] = open.top();
       open.pop();
-      if (way_m > ways_m[node]) {
+      if (path_m > paths_m[node]) {
         continue;
       }
       for (const std::size_t next : neighbours(node)) {
-        const double next_m = way_m + (middle_m(next) - middle_m(node)).norm();
-        if (next_m < ways_m[next] && is_clear(next) && may_pass(next)) {
-          ways_m[next] = next_m;
+        const double next_m = path_m + (middle_m(next) - middle_m(node)).norm();
+        if (next_m < paths_m[next] && is_clear(next) && may_pass(next)) {
+          paths_m[next] = next_m;
           open.emplace(next_m, next);
         }
       }
     }
-    return ways_m;
+    return paths_m;
   }
 
  private:
@@ -136,8 +136,8 @@ class IdealRoom {
   bool is_in_sight(const Eigen::Vector2d& eye_m, const Eigen::Vector2d& at_m) const {
     const double distance_m = std::max(0.0, (at_m - eye_m).norm() - params_.cell_m);
     const double step_m = 0.5 * floor_.resolution_m();
-    for (double way_m = 0.0; way_m < distance_m; way_m += step_m) {
-      const Eigen::Vector2d point_m = eye_m + (at_m - eye_m).normalized() * way_m;
+    for (double offset_m = 0.0; offset_m < distance_m; offset_m += step_m) {
+      const Eigen::Vector2d point_m = eye_m + (at_m - eye_m).normalized() * offset_m;
       if (floor_.state(floor_.cell_at(point_m)) != CellState::kFree) {
         return false;
       }
@@ -260,16 +260,16 @@ class IdealTeam {
       }
     }
     const auto& known = known_[robot.group];
-    const auto ways_m = room_.ways_m(robot.node, [&](std::size_t node) {
+    const auto paths_m = room_.paths_m(robot.node, [&](std::size_t node) {
       return room_.cell(node) >= 0 && known[static_cast<std::size_t>(room_.cell(node))] != 0;
     });
     double best_per_s = 0.0;
     const std::size_t from = robot.node;
     for (std::size_t node = 0; node < room_.node_count(); ++node) {
-      if (ways_m[node] == kNever || !room_.is_place(node)) {
+      if (paths_m[node] == kNever || !room_.is_place(node)) {
         continue;
       }
-      const double takes_s = ways_m[node] / params_.speed_m_per_s + params_.stop_s;
+      const double takes_s = paths_m[node] / params_.speed_m_per_s + params_.stop_s;
       const auto gain = std::ranges::count_if(
           room_.view(node), [&](int cell) { return taken[static_cast<std::size_t>(cell)] == 0; });
       if (static_cast<double>(gain) / takes_s > best_per_s) {

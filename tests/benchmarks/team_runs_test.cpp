@@ -70,7 +70,7 @@ for word; do
     --seed=2) exit 1 ;;
   esac
 done
-cp -r "$from/." "$out"
+cp -r "$from"/. "$out"
 exit 8
 )";
     fs::permissions(program(), fs::perms::owner_all);

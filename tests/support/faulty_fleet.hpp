@@ -16,8 +16,8 @@ struct FaultyFleetRun {
 };
 
 /// Of the four that made as many each, the three that lived to the end.
-constexpr std::size_t kLeastFaultyFleetObjects = 12;
-constexpr std::size_t kMostFaultyFleetObjects = 16;
+constexpr std::size_t kMinFaultyFleetObjects = 12;
+constexpr std::size_t kMaxFaultyFleetObjects = 16;
 
 /// Runs such a fleet over a real broker, ten times as fast as its clock says: half a minute.
 FaultyFleetRun run_faulty_fleet(std::uint32_t seed);

@@ -14,8 +14,8 @@ TEST(FleetOnABroker, EndsWithTheSameWhateverHappensToTheBroker) {
   for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
     const tests::FaultyFleetRun run = tests::run_faulty_fleet(seed);
     ASSERT_TRUE(run.is_same) << "seed " << seed;
-    EXPECT_GE(run.late_objects, tests::kLeastFaultyFleetObjects) << "seed " << seed;
-    EXPECT_LE(run.late_objects, tests::kMostFaultyFleetObjects) << "seed " << seed;
+    EXPECT_GE(run.late_objects, tests::kMinFaultyFleetObjects) << "seed " << seed;
+    EXPECT_LE(run.late_objects, tests::kMaxFaultyFleetObjects) << "seed " << seed;
     EXPECT_LT(run.bytes_per_s, 1000.0) << "seed " << seed;
   }
 }
