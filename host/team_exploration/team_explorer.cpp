@@ -57,12 +57,16 @@ TeamExplorer::TeamExplorer(TeamBoard& board, const TeamExplorerParams& params)
       .positive("reach_m", params.reach_m)
       .positive("max_silent_s", params.max_silent_s)
       .at_least("rebid_share", params.rebid_share, 0.0)
-      .positive("decide_again_s", params.decide_again_s);
+      .positive("decide_again_s", params.decide_again_s)
+      .positive("max_wait_s", params.max_wait_s);
 }
 
 Motion TeamExplorer::next(const Snapshot& snapshot, MotionResult last) {
   view_ = without_silent(board_.view(), params_.max_silent_s);
-  const Motion motion = decide(snapshot, last);
+  Motion motion = decide(snapshot, last);
+  if (has_waited_enough(snapshot, motion)) {
+    motion = Finished{FinishReason::kNowhereToGo};
+  }
   bid(seconds_of(snapshot), std::holds_alternative<Finished>(motion));
   return motion;
 }
@@ -80,6 +84,24 @@ Motion TeamExplorer::decide(const Snapshot& snapshot, MotionResult last) {
     frontier_.reconsider();
   }
   return avoidance_.checked(snapshot, view_, explore(snapshot, last));
+}
+
+/// One that has left, or has nothing to do, may stand in the only way for good. Turns between are
+/// no way on; a stop is.
+bool TeamExplorer::has_waited_enough(const Snapshot& snapshot, const Motion& motion) {
+  constexpr double kOnTheSpotM = 0.05;
+  const double now_s = seconds_of(snapshot);
+  const Eigen::Vector2d here_m = snapshot.latest.T_map_robot.position_m();
+  const bool looks = std::holds_alternative<exploration::Sweep>(motion) ||
+                     std::holds_alternative<exploration::BeginScan>(motion);
+  if (looks || decide_again_s_ || (here_m - waits_at_m_).norm() > kOnTheSpotM) {
+    waits_since_s_.reset();
+  }
+  if (!waits_since_s_ && !avoidance_.waits_for().empty()) {
+    waits_since_s_ = now_s;
+    waits_at_m_ = here_m;
+  }
+  return waits_since_s_ && now_s - *waits_since_s_ >= params_.max_wait_s;
 }
 
 /// Another robot's claim of the same floor is better, and this robot has not decided by it yet.
@@ -125,7 +147,7 @@ Motion TeamExplorer::explore(const Snapshot& snapshot, MotionResult last) {
 /// that has finished or waits for others to finish claims nothing.
 void TeamExplorer::bid(double now_s, bool has_finished) {
   std::optional<Claim> claim = has_finished || decide_again_s_ ? std::nullopt : claim_;
-  if (const auto goal = frontier_.goal()) {
+  if (const auto goal = has_finished ? std::nullopt : frontier_.goal()) {
     if (!goal_ || goal_->at_m != goal->at_m) {
       goal_ = goal;
       claimed_s_ = now_s;

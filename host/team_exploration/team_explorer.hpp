@@ -25,6 +25,8 @@ struct TeamExplorerParams {
   double rebid_share = 0.2;
   /// A robot that waits for others to finish decides again so often.
   double decide_again_s = 5.0;
+  /// A robot that has waited for peers in its way for so long and stood there finds no way on.
+  double max_wait_s = 120.0;
 };
 
 /// What `frontier` goes by in a building, where the robot's own parameters are for a room. A gap in
@@ -53,6 +55,7 @@ class TeamExplorer final : public exploration::Explorer {
   exploration::Motion decide(const pipeline::Snapshot& snapshot, exploration::MotionResult last);
   bool has_lost_goal();
   exploration::Motion explore(const pipeline::Snapshot& snapshot, exploration::MotionResult last);
+  bool has_waited_enough(const pipeline::Snapshot& snapshot, const exploration::Motion& motion);
   void bid(double now_s, bool has_finished);
 
   TeamExplorerParams params_;
@@ -63,6 +66,9 @@ class TeamExplorer final : public exploration::Explorer {
   std::shared_ptr<const mapping::OccupancyGrid> decided_by_;  ///< The map of all at that time.
   std::vector<Claim> lost_to_;            ///< Better claims that it has decided by, on this way.
   std::optional<double> decide_again_s_;  ///< While it waits for others to finish.
+  /// Since when it has stood where it began to wait for a peer in its way.
+  std::optional<double> waits_since_s_;
+  Eigen::Vector2d waits_at_m_ = Eigen::Vector2d::Zero();
   /// The goal that it has claimed, and when.
   std::optional<exploration::Viewpoint> goal_;
   double claimed_s_ = 0.0;

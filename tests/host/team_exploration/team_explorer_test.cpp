@@ -140,6 +140,21 @@ TEST_F(TeamExplorerTest, SaysForWhomItWaits) {
   EXPECT_EQ(board.claims.back()->waits_for, "b");
 }
 
+TEST_F(TeamExplorerTest, FindsNoWayOnBehindPeersThatStay) {
+  TeamExplorer explorer(board, member("a"));
+  first_move(explorer);
+  board.shown.peers = {peer_at("b", {2.24, 0.0, 0.0}), peer_at("c", {1.76, 0.0, 0.0})};
+  Motion motion;
+  double now_s = 5.0;
+  for (; !std::holds_alternative<Finished>(motion) && now_s < 300.0; now_s += 0.4) {
+    motion = explorer.next(snapshot({2.0, 0.0, 0.0}, now_s), MotionResult::kReached);
+  }
+  ASSERT_TRUE(std::holds_alternative<Finished>(motion));
+  EXPECT_EQ(std::get<Finished>(motion).reason, exploration::FinishReason::kNowhereToGo);
+  EXPECT_GT(now_s, 120.0);
+  EXPECT_FALSE(board.claims.back()) << "it gives its claim back";
+}
+
 TEST_F(TeamExplorerTest, APeerThatItRunsIntoIsNoObstacleOfTheRoom) {
   TeamExplorer explorer(board, member("a"));
   first_move(explorer);
