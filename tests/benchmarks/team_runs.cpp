@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <exception>
 #include <iterator>
 #include <limits>
@@ -74,6 +75,11 @@ void make_run(const TeamRuns& runs,
   const auto begin = std::chrono::steady_clock::now();
   session::ChildProcess fleet(command_of(runs, what, starts, folder), folder / "fleet.log");
   const auto exit = fleet.wait_for(std::chrono::minutes(runs.patience_min));
+  if (!exit) {
+    // Its robots save what they have, so that its row says how far they came.
+    fleet.send(SIGTERM);
+    fleet.wait_for(std::chrono::minutes(1));
+  }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   const json cost{
       {"exit", exit ? json(*exit) : json()}, {"wall_s", wall.count()}, {"cpu_s", fleet.cpu_s()}};
