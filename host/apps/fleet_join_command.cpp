@@ -16,6 +16,7 @@
 #include "host/apps/fleet_connection.hpp"
 #include "host/apps/fleet_map_files.hpp"
 #include "host/apps/live_run.hpp"
+#include "host/apps/member_report.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_recording.hpp"
 #include "host/console/interrupt.hpp"
@@ -76,11 +77,36 @@ void wait_for_round(fleet::FleetRounds& rounds) {
   }
 }
 
+/// Explores as one of a team, and says at its end what became of meeting others.
+class CountedTeamExplorer final : public exploration::Explorer {
+ public:
+  CountedTeamExplorer(FleetMember& member,
+                      const team_exploration::TeamExplorerParams& params,
+                      MemberEncounters& encounters)
+      : explorer_(member, params), encounters_(encounters) {}
+  ~CountedTeamExplorer() override {
+    encounters_.add(explorer_.encounters(), explorer_.is_in_deadlock());
+  }
+  CountedTeamExplorer(const CountedTeamExplorer&) = delete;
+  CountedTeamExplorer& operator=(const CountedTeamExplorer&) = delete;
+
+  exploration::Motion next(const pipeline::Snapshot& snapshot,
+                           exploration::MotionResult last) override {
+    return explorer_.next(snapshot, last);
+  }
+  exploration::Intent intent() const override { return explorer_.intent(); }
+
+ private:
+  team_exploration::TeamExplorer explorer_;
+  MemberEncounters& encounters_;
+};
+
 /// What drives a member: `frontier` among others.
 std::unique_ptr<exploration::Explorer> team_explorer(FleetMember& member,
                                                      const session::RobotProfile& profile,
                                                      const std::string& name,
-                                                     const strategies::StrategyOptions& left) {
+                                                     const strategies::StrategyOptions& left,
+                                                     MemberEncounters& encounters) {
   team_exploration::TeamExplorerParams params;
   params.frontier = strategies::frontier_params(profile, left.stops);
   params.avoidance.robot = name;
@@ -88,7 +114,7 @@ std::unique_ptr<exploration::Explorer> team_explorer(FleetMember& member,
   params.avoidance.guard.robot_radius_m = profile.body_radius_m;
   params.avoidance.aside.costs = params.frontier.navigator.costs;
   return strategies::under_watch(
-      std::make_unique<team_exploration::TeamExplorer>(member, params), profile, true);
+      std::make_unique<CountedTeamExplorer>(member, params, encounters), profile, true);
 }
 
 /// "NAME,X,Y,DEGREES": where the map of another robot lies in this one's.
@@ -192,8 +218,9 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   open_port(robot, options.connection, run.strategy, summary);
   ExploreRun explore{run.strategy, live, out, progress_display(run), run.align, split_bytes(run)};
   explore.next = next_of(options, out);
+  MemberEncounters encounters;
   explore.make_explorer = [&](const strategies::StrategyOptions& left) {
-    return team_explorer(member, robot.profile(), credentials.user, left);
+    return team_explorer(member, robot.profile(), credentials.user, left, encounters);
   };
   explore.known = [&] { return member.known(); };
   const RunEnding ending = explore_and_save(robot, explore, summary);
@@ -201,8 +228,10 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   part(member, rounds ? &*rounds : nullptr, *connection.bus, end_s);
   save_team_map(member, robot.profile(), out / "team", summary);
   robot.quit();
-  const auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
+  auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
   end_recording(robot, report, out);
+  report["team"] = team_report(member.joins(), encounters);
+  write_report(out / "summary.json", report);
   write_report(run.json, report);
   print_ending(ending);
   return ending.code;

@@ -2,9 +2,12 @@
 #include "host/apps/fleet_page.hpp"
 
 #include <utility>
+#include <variant>
 
 #include "host/apps/fleet_watch.hpp"
 #include "host/apps/served_page.hpp"
+#include "host/fleet_messages/conversions.hpp"
+#include "host/fleet_messages/payload.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -45,9 +48,28 @@ FleetPage::FleetPage(const LiveOptions& options,
   server_ = serve_page(options, {{out.filename().string(), out, publisher_->history(), true}});
 }
 
+void FleetPage::hear(const std::vector<mqtt::Message>& messages) {
+  if (!server_) {
+    return;
+  }
+  for (const mqtt::Message& message : messages) {
+    const auto decoded = fleet_messages::decode(message.topic, message.payload);
+    const auto* told = std::get_if<fleet_messages::TopicMessage>(&decoded);
+    if (told == nullptr || told->topic.kind != fleet_messages::TopicKind::kPose) {
+      continue;
+    }
+    const auto& pose = std::get<fleet_messages::PoseMessage>(told->message.body);
+    const Eigen::Vector2d at_m = fleet_messages::to_pose_estimate(pose).T_map_robot.position_m();
+    auto& trail_m = trails_m_[fleet_member::map_name(told->topic.robot, pose.map_number)];
+    if (trail_m.empty() || (trail_m.back() - at_m).norm() >= kTrailStepM) {
+      trail_m.push_back(at_m);
+    }
+  }
+}
+
 live_page::TeamRobot FleetPage::shown(const fleet::FleetRobot& robot,
                                       const fleet_member::TeamPicture& picture,
-                                      const std::string& map_name) {
+                                      const std::string& map_name) const {
   live_page::TeamRobot shown;
   shown.name = robot.name;
   shown.presence = presence_of(robot.attendance);
@@ -59,15 +81,13 @@ live_page::TeamRobot FleetPage::shown(const fleet::FleetRobot& robot,
   if (!robot.pose || robot.pose->map_number != robot.map_number) {
     return shown;
   }
-  auto& trail_m = trails_m_[fleet_member::map_name(robot.name, robot.map_number)];
-  const geometry::Pose2& T_own_robot = robot.pose->estimate.T_map_robot;
-  if (trail_m.empty() || (trail_m.back() - T_own_robot.position_m()).norm() >= kTrailStepM) {
-    trail_m.push_back(T_own_robot.position_m());
-  }
   if (relative) {
-    shown.T_map_robot = relative->T_own_peer * T_own_robot;
-    for (const Eigen::Vector2d& at_m : trail_m) {
-      shown.trail_m.push_back(relative->T_own_peer * at_m);
+    shown.T_map_robot = relative->T_own_peer * robot.pose->estimate.T_map_robot;
+    const auto trail = trails_m_.find(fleet_member::map_name(robot.name, robot.map_number));
+    if (trail != trails_m_.end()) {
+      for (const Eigen::Vector2d& at_m : trail->second) {
+        shown.trail_m.push_back(relative->T_own_peer * at_m);
+      }
     }
     if (!robot.claims.empty() && robot.claims_map_number == robot.map_number) {
       shown.claim_m = relative->T_own_peer * robot.claims.front().at_m;

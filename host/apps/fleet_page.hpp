@@ -12,6 +12,7 @@
 #include "host/fleet_member/team_picture.hpp"
 #include "host/live_page/page_server.hpp"
 #include "host/live_page/run_publisher.hpp"
+#include "host/mqtt/message_bus.hpp"
 
 namespace echomap::apps {
 
@@ -24,6 +25,9 @@ class FleetPage {
             const session::RobotProfile& profile,
             const std::filesystem::path& out);
 
+  /// Notes each pose that was told among these messages: trails have them all, however seldom the
+  /// page is brought up to date.
+  void hear(const std::vector<mqtt::Message>& messages);
   /// Shows the map of that name and who is on it.
   void show(double time_s,
             const fleet::FleetState& state,
@@ -35,11 +39,11 @@ class FleetPage {
  private:
   live_page::TeamRobot shown(const fleet::FleetRobot& robot,
                              const fleet_member::TeamPicture& picture,
-                             const std::string& map_name);
+                             const std::string& map_name) const;
 
   std::shared_ptr<live_page::RunPublisher> publisher_;
   std::unique_ptr<live_page::PageServer> server_;
-  /// Of each robot in its own map, some centimetres apart.
+  /// By the name of a robot's own map, some centimetres apart.
   std::map<std::string, std::vector<Eigen::Vector2d>> trails_m_;
   const mapping::OccupancyGrid* grid_ = nullptr;
 };

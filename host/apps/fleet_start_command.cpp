@@ -100,6 +100,14 @@ class Members {
     }
   }
   const std::vector<std::string>& names() const { return names_; }
+  /// By name; null of one that was not heard to end.
+  nlohmann::ordered_json exits() const {
+    auto exits = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      exits[names_[i]] = statuses_[i] ? nlohmann::ordered_json(*statuses_[i]) : nullptr;
+    }
+    return exits;
+  }
   /// Those that did not get what they were asked for: "robot1 (exit 8)".
   std::vector<std::string> unfinished() const {
     std::vector<std::string> unfinished;
@@ -150,11 +158,10 @@ void look_on(Members& members,
              FleetWatch& watch,
              fleet_member::TeamPicture& picture,
              FleetPage& page) {
-  const std::string map = fleet_member::map_name(members.names().front(), 0);
   double next_look_s = 0.0;
   bool is_interrupted = false;
   while (members.go_on()) {
-    watch.listen();
+    page.hear(watch.listen());
     if (console::interrupted() && !is_interrupted) {
       is_interrupted = true;
       members.interrupt();
@@ -162,7 +169,7 @@ void look_on(Members& members,
     if (watch.now_s() >= next_look_s) {
       const fleet::FleetState state = watch.state();
       picture.take(state);
-      page.show(watch.now_s(), state, picture, map);
+      page.show(watch.now_s(), state, picture, latest_map(state, members.names().front()));
       next_look_s = watch.now_s() + 0.5;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -175,7 +182,7 @@ RunEnding ending_of(const FleetStartOptions& options,
                     const fleet::FleetState& state,
                     const fleet_member::TeamPicture& picture,
                     const fs::path& out) {
-  const std::string first_map = fleet_member::map_name(members.names().front(), 0);
+  const std::string first_map = latest_map(state, members.names().front());
   const auto joined = static_cast<std::size_t>(
       std::count_if(state.robots.begin(), state.robots.end(), [&](const fleet::FleetRobot& robot) {
         return picture.relative_pose(first_map, robot).has_value();
@@ -186,7 +193,7 @@ RunEnding ending_of(const FleetStartOptions& options,
                                      "eval",
                                      (out / "team").string(),
                                      "--truth",
-                                     (out / "truth" / members.names().front()).string()});
+                                     truth_folder(out, members.names().front()).string()});
   if (console::interrupted()) {
     ending.outcome = "interrupted";
     ending.code = ExitCode::kInterrupted;
@@ -220,6 +227,7 @@ RunEnding ending_of(const FleetStartOptions& options,
 }  // namespace
 
 ExitCode run_fleet_start(const FleetStartOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
   const RunOptions& run = options.run;
   RobotProfile profile = profile_for(run.robot, run.strategy);
   const fs::path body = files::bundled_file(
@@ -252,12 +260,15 @@ ExitCode run_fleet_start(const FleetStartOptions& options) {
   summary.seed = run.seed;
   const RunEnding ending = ending_of(options, members, watch.state(), picture, out);
   describe_ending(ending, summary);
-  const std::string map = fleet_member::map_name(members.names().front(), 0);
+  summary.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const std::string map = latest_map(watch.state(), members.names().front());
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
   if (const auto snapshot = team_snapshot(picture, map)) {
     save_fleet_map(*snapshot, picture.team().merged(map), profile, out, summary);
     report["fleet"] = fleet_report(members.names(), watch, picture, out);
   }
+  report["fleet"]["exits"] = members.exits();
   write_report(out / "summary.json", report);
   write_report(run.json, report);
   print_ending(ending);

@@ -57,6 +57,18 @@ std::optional<pipeline::Snapshot> team_snapshot(fleet_member::TeamPicture& pictu
   return snapshot;
 }
 
+std::string latest_map(const fleet::FleetState& state, const std::string& robot) {
+  std::string latest = fleet_member::map_name(robot, 0);
+  for (const fleet::FleetRobot& one : state.robots) {
+    for (const fleet::FleetMap& map : one.maps) {
+      if (one.name == robot && !map.record->submaps.empty()) {
+        latest = fleet_member::map_name(robot, map.number);
+      }
+    }
+  }
+  return latest;
+}
+
 std::string largest_map(const fleet_member::TeamPicture& picture) {
   const auto& components = picture.team().components();
   const auto largest = std::max_element(

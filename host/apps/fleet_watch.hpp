@@ -43,6 +43,9 @@ class FleetWatch {
 std::optional<pipeline::Snapshot> team_snapshot(fleet_member::TeamPicture& picture,
                                                 const std::string& map_name);
 
+/// The name of the last map of a robot that has a stop; of its first one where none has.
+std::string latest_map(const fleet::FleetState& state, const std::string& robot);
+
 /// The name of the map with the most others joined to it, the first of several; empty where there
 /// is none.
 std::string largest_map(const fleet_member::TeamPicture& picture);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/evaluation/floor_seen.hpp"
 
-#include <cstddef>
+#include <algorithm>
 #include <limits>
 
 #include "host/evaluation/clear_floor.hpp"
@@ -33,12 +33,10 @@ CellIndex nearest_free_cell(const RasterMap& floor, const Eigen::Vector2d& point
 
 }  // namespace
 
-double floor_seen(const RasterMap& map,
-                  const geometry::Pose2& T_world_map,
-                  const RasterMap& truth,
-                  const Eigen::Vector2d& start_m,
-                  double robot_radius_m) {
-  geometry::ParameterValidator("floor seen").positive("robot_radius_m", robot_radius_m);
+std::vector<Eigen::Vector2d> floor_in_reach_m(const RasterMap& truth,
+                                              const Eigen::Vector2d& start_m,
+                                              double robot_radius_m) {
+  geometry::ParameterValidator("floor in reach").positive("robot_radius_m", robot_radius_m);
   const RasterMap all = padded(truth);
   const auto is_no_floor = [](CellState state) { return state != CellState::kFree; };
   RasterMap clear = all;
@@ -50,21 +48,30 @@ double floor_seen(const RasterMap& map,
   RasterMap floor = all;
   keep_off(all, is_no_floor, kAlongWallsM, floor);
   const mapping::DistanceField to_stands(stands, robot_radius_m + all.resolution_m());
-  const geometry::Pose2 T_map_world = T_world_map.inverse();
-  std::size_t reached = 0;
-  std::size_t seen = 0;
+  std::vector<Eigen::Vector2d> reached_m;
   for (int y = 0; y < all.rows(); ++y) {
     for (int x = 0; x < all.columns(); ++x) {
       const double to_stand_m =
           all.resolution_m() * static_cast<double>(to_stands.distance_cells({x, y}));
       if (floor.state({x, y}) == CellState::kFree && to_stand_m <= robot_radius_m) {
-        ++reached;
-        const CellIndex cell = map.cell_at(T_map_world * all.center_m({x, y}));
-        seen += map.state(cell) == CellState::kFree ? 1U : 0U;
+        reached_m.push_back(all.center_m({x, y}));
       }
     }
   }
-  return reached == 0 ? 1.0 : static_cast<double>(seen) / static_cast<double>(reached);
+  return reached_m;
+}
+
+double floor_seen(const RasterMap& map,
+                  const geometry::Pose2& T_world_map,
+                  const RasterMap& truth,
+                  const Eigen::Vector2d& start_m,
+                  double robot_radius_m) {
+  const auto floor_m = floor_in_reach_m(truth, start_m, robot_radius_m);
+  const geometry::Pose2 T_map_world = T_world_map.inverse();
+  const auto seen = std::count_if(floor_m.begin(), floor_m.end(), [&](const auto& center_m) {
+    return map.state(map.cell_at(T_map_world * center_m)) == CellState::kFree;
+  });
+  return floor_m.empty() ? 1.0 : static_cast<double>(seen) / static_cast<double>(floor_m.size());
 }
 
 }  // namespace echomap::evaluation

@@ -117,6 +117,9 @@ void FleetMember::look() {
     // The first of a component tells where all of it lie; the others could compute the same.
     exchange_.set_alignment(picture_.alignment(params_.exchange.robot, exchange_.map_number()));
   }
+  joins_.look(session::now_s(robot_.session()),
+              map_name(params_.exchange.robot, exchange_.map_number()),
+              picture_.team());
 }
 
 TeamView FleetMember::view() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/fleet/fleet_exchange.hpp"
+#include "host/fleet_member/join_log.hpp"
 #include "host/fleet_member/team_picture.hpp"
 #include "host/pipeline/observation_fork.hpp"
 #include "host/pipeline/snapshot.hpp"
@@ -67,6 +68,7 @@ class FleetMember final : public team_exploration::TeamBoard {
   const team_map::MergedMap* merged();
   const fleet::FleetExchange& fleet() const { return exchange_; }
   const TeamPicture& picture() const { return picture_; }
+  const JoinLog& joins() const { return joins_; }
   const team_exploration::PeerEchoFilter& echoes() const { return filter_; }
 
  private:
@@ -82,6 +84,7 @@ class FleetMember final : public team_exploration::TeamBoard {
   FleetMemberParams params_;
   fleet::FleetExchange exchange_;
   TeamPicture picture_;
+  JoinLog joins_;
   pipeline::ObservationFork behind_filter_;
   team_exploration::PeerEchoFilter filter_;
   std::unique_ptr<team_map::SubmapRecorder> recorder_;

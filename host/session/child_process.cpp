@@ -10,6 +10,8 @@
 #include <unistd.h>
 
 #include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 
 namespace echomap::session {
@@ -51,6 +53,10 @@ int start_error(int report) {
     count = ::read(report, &error, sizeof error);
   } while (count < 0 && errno == EINTR);
   return count == sizeof error ? error : 0;
+}
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 }  // namespace
@@ -102,8 +108,10 @@ void ChildProcess::send(int signal) {
 
 std::optional<int> ChildProcess::exit_status() {
   int status = 0;
-  if (!status_ && ::waitpid(pid_, &status, WNOHANG) == pid_) {
+  rusage used{};
+  if (!status_ && ::wait4(pid_, &status, WNOHANG, &used) == pid_) {
     status_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    cpu_s_ = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
   }
   return status_;
 }

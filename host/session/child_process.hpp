@@ -25,6 +25,8 @@ class ChildProcess {
   pid_t pid() const { return pid_; }
   /// The exit status once it has ended (128 + signal where a signal ended it), without waiting.
   std::optional<int> exit_status();
+  /// Processor seconds of it and of those that it has started and seen end; 0 while it runs.
+  double cpu_s() const { return cpu_s_; }
   /// Sends a signal, unless it has ended.
   void send(int signal);
   /// Waits for the end; empty where it still runs after `limit`.
@@ -33,6 +35,7 @@ class ChildProcess {
  private:
   pid_t pid_ = -1;
   std::optional<int> status_;
+  double cpu_s_ = 0.0;
 };
 
 /// The folder of the running program.

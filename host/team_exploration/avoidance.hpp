@@ -79,6 +79,8 @@ class Avoidance {
   double keep_off_m(const Peer& peer) const { return guard_.keep_off_m(peer); }
   /// Whether no way leads past that peer: it stays where it is.
   bool stays(const Peer& peer) const;
+  /// Whether those in its way wait in turn for this robot.
+  bool is_in_deadlock() const { return held_ && held_->is_deadlock; }
   /// Whether it has waited so long, or gone so far, that another goal may be better. Says so once.
   bool wants_another_goal();
   const Encounters& encounters() const { return encounters_; }

@@ -154,7 +154,7 @@ exploration::Company TeamExplorer::company() const {
 /// that has finished or waits for others to finish claims nothing.
 void TeamExplorer::bid(double now_s, bool has_finished) {
   std::optional<Claim> claim = has_finished || decide_again_s_ ? std::nullopt : claim_;
-  if (const auto goal = frontier_.goal()) {
+  if (const auto goal = has_finished ? std::nullopt : frontier_.goal()) {
     if (!goal_ || goal_->at_m != goal->at_m) {
       goal_ = goal;
       claimed_s_ = now_s;

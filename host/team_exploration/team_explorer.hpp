@@ -47,6 +47,7 @@ class TeamExplorer final : public exploration::Explorer {
                            exploration::MotionResult last) override;
   exploration::Intent intent() const override { return frontier_.intent(); }
   const Encounters& encounters() const { return avoidance_.encounters(); }
+  bool is_in_deadlock() const { return avoidance_.is_in_deadlock(); }
   /// Times that another robot's claim was the better one.
   std::size_t lost_bids() const { return lost_bids_; }
 

@@ -25,8 +25,6 @@ using Clock = std::chrono::steady_clock;
 using mqtt::Connection;
 using mqtt::Delivery;
 
-constexpr double kRecordS = 346.0;
-constexpr int kStops = 19;
 /// How long what is still on its way may take at the end.
 constexpr std::chrono::seconds kTail{5};
 
@@ -69,8 +67,13 @@ class ReplayingRobot {
  public:
   ReplayingRobot(const mqtt::ConnectionParams& params,
                  const std::vector<RecordedMessage>& record,
+                 double record_s,
                  double begin_s)
-      : name_(params.user), connection_(params), record_(record), offset_s_(-begin_s) {
+      : name_(params.user),
+        connection_(params),
+        record_(record),
+        record_s_(record_s),
+        offset_s_(-begin_s) {
     while (next_ < record_.size() && record_[next_].at_s < begin_s) {
       ++next_;
     }
@@ -99,13 +102,14 @@ class ReplayingRobot {
   void wrap() {
     if (next_ == record_.size()) {
       next_ = 0;
-      offset_s_ += kRecordS;
+      offset_s_ += record_s_;
     }
   }
 
   std::string name_;
   Connection connection_;
   const std::vector<RecordedMessage>& record_;
+  double record_s_;
   double offset_s_;
   std::size_t next_ = 0;
 };
@@ -113,16 +117,17 @@ class ReplayingRobot {
 /// A broker, its robots and a hub, all of whom are served by one thread.
 class LoadRun {
  public:
-  LoadRun(const LoadParams& params, const std::vector<RecordedMessage>& record)
+  LoadRun(const LoadParams& params, const LoadRecord& record)
       : params_(params),
         broker_(settings_of(params.robots), folder_ / "broker"),
         hub_(broker::connection_params(broker_.credentials("hub"))) {
     std::mt19937 random(params.seed);
     hub_.subscribe("echomap/1/bench/#");
     for (std::size_t i = 0; i < params.robots; ++i) {
-      const double begin_s = kRecordS * static_cast<double>(random()) / 4294967296.0;
+      const double begin_s = record.duration_s * static_cast<double>(random()) / 4294967296.0;
       const auto member = broker::connection_params(broker_.credentials(name_of(i)));
-      robots_.push_back(std::make_unique<ReplayingRobot>(member, record, begin_s));
+      robots_.push_back(std::make_unique<ReplayingRobot>(
+          member, record.robots[i % record.robots.size()], record.duration_s, begin_s));
       if (params.all_hear) {
         robots_.back()->connection().subscribe("echomap/1/bench/#");
       }
@@ -226,34 +231,16 @@ class LoadRun {
 
 }  // namespace
 
-std::vector<RecordedMessage> record_of_a_robot() {
-  std::vector<RecordedMessage> record;
-  for (int second = 0; second < static_cast<int>(kRecordS); ++second) {
-    record.push_back({1.0 * second, "pose", 56, Delivery::kAtMostOnce, false});
-    if (second % 5 == 0) {
-      record.push_back({second + 0.3, "presence", 32, Delivery::kAtLeastOnce, true});
-    }
+LoadResult measure_load(const LoadParams& params, const LoadRecord& record) {
+  const auto is_empty = [](const auto& robot) { return robot.empty(); };
+  if (record.robots.empty() || record.duration_s <= 0.0 ||
+      std::ranges::any_of(record.robots, is_empty)) {
+    throw std::invalid_argument("load: there is a robot that has published nothing");
   }
-  for (int stop = 0; stop < kStops; ++stop) {
-    const double at_s = kRecordS * (stop + 0.5) / kStops;
-    const auto objects = static_cast<std::size_t>(stop) + 1;
-    record.push_back(
-        {at_s, fmt::format("submap/{:016x}", stop), 600, Delivery::kAtLeastOnce, true});
-    record.push_back({at_s, "graph", 40 + 24 * objects, Delivery::kAtLeastOnce, true});
-    record.push_back({at_s, "manifest", 40 + 24 * objects, Delivery::kAtLeastOnce, true});
-    record.push_back({at_s + 1.0, "claim", 48, Delivery::kAtLeastOnce, false});
-    record.push_back({at_s + 6.0, "claim", 48, Delivery::kAtLeastOnce, false});
-  }
-  std::ranges::stable_sort(record, {}, &RecordedMessage::at_s);
-  return record;
-}
-
-LoadResult measure_load(const LoadParams& params, const std::vector<RecordedMessage>& record) {
   return LoadRun(params, record).run();
 }
 
-std::vector<Figure> load_figures(double duration_s) {
-  const auto record = record_of_a_robot();
+std::vector<Figure> load_figures(const LoadRecord& record, double duration_s) {
   std::vector<Figure> figures;
   for (const auto& [robots, all_hear] :
        {std::pair{std::size_t{10}, false}, {50, false}, {200, false}, {10, true}, {50, true}}) {

@@ -20,9 +20,11 @@ struct RecordedMessage {
   bool retain = true;
 };
 
-/// What one robot publishes in 346 s with 19 stops, which is how long frontier takes in
-/// corridor_rooms: the rates and sizes of the fleet's messages, without what is in them.
-std::vector<RecordedMessage> record_of_a_robot();
+/// What robots have published, each in the order of its times.
+struct LoadRecord {
+  double duration_s = 0.0;
+  std::vector<std::vector<RecordedMessage>> robots;
+};
 
 /// How many robots replay a record.
 struct LoadParams {
@@ -43,11 +45,12 @@ struct LoadResult {
   std::size_t missing = 0;              ///< Deliveries that have not come.
 };
 
-/// Replays the record at its own pace, by so many robots, against one Mosquitto on this machine,
-/// with all clients in this thread: latencies are upper ends.
-LoadResult measure_load(const LoadParams& params, const std::vector<RecordedMessage>& record);
+/// Replays the record at its own pace, by so many robots, which take the robots of the record in
+/// turn, against one Mosquitto on this machine, with all clients in this thread: latencies are
+/// upper ends. Throws std::invalid_argument for a record without a message.
+LoadResult measure_load(const LoadParams& params, const LoadRecord& record);
 
 /// 10, 50 and 200 robots that a hub hears, and 10 and 50 that all hear.
-std::vector<Figure> load_figures(double duration_s);
+std::vector<Figure> load_figures(const LoadRecord& record, double duration_s);
 
 }  // namespace echomap::bench

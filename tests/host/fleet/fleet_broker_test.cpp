@@ -1,168 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include <chrono>
 #include <cstdint>
-#include <map>
-#include <memory>
-#include <optional>
-#include <random>
-#include <string>
-#include <thread>
 
 #include <gtest/gtest.h>
 
-#include "host/fleet/fleet_exchange.hpp"
-#include "tests/host/fleet/fleet_of_robots.hpp"
 #include "tests/support/every_seed.hpp"
-#include "tests/support/running_broker.hpp"
-#include "tests/support/tcp_proxy.hpp"
+#include "tests/support/faulty_fleet.hpp"
 
-// Four robots on a Mosquitto that is killed, through a proxy that delays, stalls and cuts. Their
-// clock is ten times as fast as that on the wall.
 namespace echomap::fleet {
 namespace {
-
-constexpr double kSpeed = 10.0;
-
-struct ConnectedRobot {
-  std::unique_ptr<mqtt::Connection> connection;
-  std::unique_ptr<FleetExchange> exchange;
-  std::uint32_t submaps = 0;
-  std::vector<geometry::Pose2> T_map_submaps;
-};
-
-class FleetOnABroker {
- public:
-  explicit FleetOnABroker(std::uint32_t seed) : random_(seed) {
-    for (const char* name : {"r1", "r2", "r3", "r4"}) {
-      add(name);
-    }
-  }
-
-  void add(const std::string& name) {
-    FleetExchangeParams params = FleetOfRobots::params_of(name);
-    params.fleet = "lab";
-    mqtt::ConnectionParams connection = broker_.params(name);
-    connection.port = proxy_.port();
-    connection.will = last_will(params);
-    connection.keep_alive_s = 5;
-    ConnectedRobot robot;
-    robot.connection = std::make_unique<mqtt::Connection>(connection);
-    robot.exchange = std::make_unique<FleetExchange>(*robot.connection, params);
-    robots_.emplace(name, std::move(robot));
-  }
-  void kill(const std::string& name) { robots_.erase(name); }
-
-  /// Runs so many seconds of the robots' clock.
-  void run(double seconds) {
-    const double until_s = now_s() + seconds;
-    while (now_s() < until_s) {
-      for (auto& [name, robot] : robots_) {
-        robot.exchange->update(now_s());
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-  }
-  void stop_once() {
-    for (auto& [name, robot] : robots_) {
-      robot.exchange->add_submap(random_submap(random_, robot.submaps++));
-      robot.T_map_submaps.emplace_back(0.5 * robot.submaps, 0.0, 0.0);
-      robot.exchange->set_graph(robot.T_map_submaps, 1e-4 * Eigen::Matrix3d::Identity());
-    }
-  }
-  void happen() {
-    switch (random_() % 5) {
-      case 0:
-        broker_->kill();
-        run(3.0);
-        broker_->start();
-        break;
-      case 1:
-        proxy_.set_delay(std::chrono::milliseconds(200));  // Two seconds on the robots' clock.
-        run(10.0);
-        proxy_.set_delay(std::chrono::milliseconds(0));
-        break;
-      case 2:
-        proxy_.stall();
-        run(20.0);
-        proxy_.resume();
-        break;
-      case 3:
-        proxy_.cut();
-        run(60.0);
-        proxy_.resume();
-        break;
-      default:
-        break;
-    }
-  }
-  /// Whether all have the same within so many seconds of their clock.
-  bool become_same(double seconds) {
-    const double until_s = now_s() + seconds;
-    while (now_s() < until_s) {
-      run(2.0);
-      if (is_same()) {
-        return true;
-      }
-    }
-    return false;
-  }
-  std::size_t objects(const std::string& name) const {
-    return robots_.at(name).exchange->state().objects;
-  }
-  double mean_bytes_per_s(const std::string& name) const {
-    return static_cast<double>(robots_.at(name).exchange->statistics().sent.bytes) / now_s();
-  }
-
- private:
-  bool is_same() const {
-    std::optional<FleetState> first;
-    for (const auto& [name, robot] : robots_) {
-      FleetState state = robot.exchange->state();
-      if (first && state.object_set != first->object_set) {
-        return false;
-      }
-      for (std::size_t i = 0; first && i < state.robots.size(); ++i) {
-        if (graph_size(state, i) != graph_size(*first, i)) {
-          return false;
-        }
-      }
-      first = std::move(state);
-    }
-    return true;
-  }
-  static std::size_t graph_size(const FleetState& state, std::size_t robot) {
-    const auto& maps = state.robots.at(robot).maps;
-    return maps.empty() ? 0 : maps[0].record->T_map_submaps.size();
-  }
-  double now_s() const {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
-    return kSpeed * passed.count();
-  }
-
-  tests::RunningBroker broker_{tests::broker_settings({"r1", "r2", "r3", "r4", "late", "hub"})};
-  tests::TcpProxy proxy_{broker_->port()};
-  std::map<std::string, ConnectedRobot> robots_;
-  std::mt19937 random_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 TEST(FleetOnABroker, EndsWithTheSameWhateverHappensToTheBroker) {
   const std::uint32_t seeds = tests::runs_every_seed() ? 40 : 3;
   for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-    FleetOnABroker fleet(seed);
-    for (int stop = 0; stop < 4; ++stop) {
-      fleet.run(15.0);
-      fleet.stop_once();
-      fleet.happen();
-    }
-    fleet.run(15.0);
-    fleet.kill("r4");
-    fleet.happen();
-    fleet.add("late");
-    ASSERT_TRUE(fleet.become_same(300.0)) << "seed " << seed;
-    EXPECT_GE(fleet.objects("late"), 12U) << "seed " << seed;
-    EXPECT_LE(fleet.objects("late"), 16U) << "seed " << seed;
-    EXPECT_LT(fleet.mean_bytes_per_s("r1"), 1000.0) << "seed " << seed;
+    const tests::FaultyFleetRun run = tests::run_faulty_fleet(seed);
+    ASSERT_TRUE(run.is_same) << "seed " << seed;
+    EXPECT_GE(run.late_objects, tests::kMinFaultyFleetObjects) << "seed " << seed;
+    EXPECT_LE(run.late_objects, tests::kMaxFaultyFleetObjects) << "seed " << seed;
+    EXPECT_LT(run.bytes_per_s, 1000.0) << "seed " << seed;
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <memory>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "host/mqtt/packet_size.hpp"
+#include "tests/support/late_join.hpp"
 #include "tests/support/running_broker.hpp"
 #include "tests/support/tcp_proxy.hpp"
 #include "tests/support/thrown_text.hpp"
@@ -367,24 +367,11 @@ TEST_F(ConnectionTest, ALineThatIsSilentIsGivenUp) {
 }
 
 TEST_F(ConnectionTest, OneWhoJoinsLateGetsTenThousandObjects) {
-  constexpr int kObjects = 10'000;
-  const std::string payload(500, 's');
-  Client robot = robot1();
-  for (int i = 0; i < kObjects; ++i) {
-    robot->publish(
-        topic("robot1/submap/") + std::to_string(i), payload, Delivery::kAtLeastOnce, true);
-  }
-  EXPECT_TRUE(robot.is_acknowledged());
-  EXPECT_EQ(robot->statistics().dropped, 0U);
-
-  Client late(broker_.params("robot2"), topic("#"));
-  EXPECT_TRUE(late.serve_until([&] { return late.heard().size() == kObjects; }));
-  std::set<std::string> topics;
-  for (const Message& message : late.heard()) {
-    topics.insert(message.topic);
-    EXPECT_TRUE(message.is_retained);
-  }
-  EXPECT_EQ(topics.size(), static_cast<std::size_t>(kObjects));
+  constexpr std::size_t kObjects = 10'000;
+  const tests::LateJoin join = tests::join_late(kObjects);
+  EXPECT_EQ(join.dropped, 0U);
+  EXPECT_EQ(join.objects, kObjects);
+  EXPECT_TRUE(join.are_retained);
 }
 
 }  // namespace

@@ -36,6 +36,14 @@ TEST(ChildProcess, SaysWhichSignalEndedIt) {
   EXPECT_EQ(child.wait_for(kLong), 128 + SIGKILL);
 }
 
+TEST(ChildProcess, SaysWhatProcessorTimeItUsedWithThoseThatItStarted) {
+  ChildProcess child({"/bin/sh", "-c", "sh -c 'while :; do :; done' & sleep 0.3; kill $!; wait"},
+                     "/dev/null");
+  EXPECT_EQ(child.cpu_s(), 0.0);
+  ASSERT_TRUE(child.wait_for(kLong));
+  EXPECT_GT(child.cpu_s(), 0.0);
+}
+
 TEST(ChildProcess, EndsWithItsOwner) {
   const tests::ScratchFolder folder;
   const auto log = folder / "pid.log";

@@ -42,8 +42,9 @@ export function StatusPanel({ session }: { session: Session }): JSX.Element {
       <section>
         <h2>{modeWords(state)}</h2>
         <p class="help">{whyWords(state)}</p>
-        <Facts facts={position} />
+        {(motion || !team) && <Facts facts={position} />}
       </section>
+      {team && <TeamPanel team={team} />}
       <section>
         <h2>{text('status.progress')}</h2>
         <Facts
@@ -58,7 +59,6 @@ export function StatusPanel({ session }: { session: Session }): JSX.Element {
           ]}
         />
       </section>
-      {team && <TeamPanel team={team} />}
       {score && (
         <section>
           <h2>{text('status.score')}</h2>

@@ -27,7 +27,9 @@ export function SidePanel({ session }: { session: Session }): JSX.Element {
   const isOver =
     (session.shownRun.value !== null && !session.isLiveRun.value) ||
     session.shown.value.view.state?.mode === 'ended';
-  const names = allNames.filter((name) => name !== 'drive' || !isOver);
+  // Nobody drives a whole fleet: it begins on what shows the team.
+  const isFleet = session.shown.value.view.team !== null && session.can.value.size === 0;
+  const names = allNames.filter((name) => name !== 'drive' || !(isOver || isFleet));
   const shown = names.includes(chosen.value) ? chosen.value : 'status';
   const Panel = panels[shown];
   const choose = (name: PanelName): void => {
