@@ -210,6 +210,8 @@ struct FleetJoinOptions {
   std::vector<std::string> rounds_with;
   /// Where others started, as this one's map has it: NAME,X,Y,DEGREES each.
   std::vector<std::string> knows;
+  bool search = false;   ///< Search a source, in place of making a map.
+  double max_s = 900.0;  ///< Robot time after which a search ends unsure.
 };
 ExitCode run_fleet_join(const FleetJoinOptions& options);
 
@@ -220,6 +222,8 @@ struct FleetStartOptions {
   session::SimulatedRobotOptions robot;
   std::string address = "127.0.0.1";  ///< Where the broker listens.
   bool tls = false;
+  bool search = false;   ///< Search a source, in place of making a map.
+  double max_s = 900.0;  ///< Robot time after which a search ends unsure.
 };
 ExitCode run_fleet_start(const FleetStartOptions& options);
 

@@ -180,10 +180,10 @@ void show(const RobotContext& robot,
   if (!robot.is_followed() && strategies::begins_anywhere(run.strategy)) {
     word.moved = [&explorer] { explorer.report_moved(); };
   }
-  run.live.show(
-      std::make_unique<AtlasSource>(robot.atlas(), &view, [&view] { return view.live_progress(); }),
-      word,
-      true);
+  auto source =
+      std::make_unique<AtlasSource>(robot.atlas(), &view, [&view] { return view.live_progress(); });
+  source->more = run.show_more;
+  run.live.show(std::move(source), word, true);
 }
 
 void warn_of_previous_maps(const pipeline::RobotAtlas& atlas) {

@@ -32,6 +32,8 @@ struct ExploreRun {
       make_explorer = nullptr;
   /// What is known of the room in all, where that is more than the robot's map; null: its map.
   std::function<pipeline::Snapshot()> known = nullptr;
+  /// Shows more than the map on the live page; null for nothing.
+  std::function<void(double time_s, live_page::RunPublisher& publisher)> show_more = nullptr;
 };
 
 /// The profile of the robot that is named. Throws files::ConfigError, and CommandError where the

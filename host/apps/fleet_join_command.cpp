@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,11 +20,14 @@
 #include "host/apps/member_report.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_recording.hpp"
+#include "host/apps/source_report.hpp"
+#include "host/apps/source_setup.hpp"
 #include "host/console/interrupt.hpp"
 #include "host/console/print.hpp"
 #include "host/console/shell_line.hpp"
 #include "host/fleet/fleet_rounds.hpp"
 #include "host/fleet_member/fleet_member.hpp"
+#include "host/fleet_member/team_searcher.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/team_exploration/team_explorer.hpp"
 
@@ -117,6 +121,56 @@ std::unique_ptr<exploration::Explorer> team_explorer(FleetMember& member,
       std::make_unique<CountedTeamExplorer>(member, params, encounters), profile, true);
 }
 
+/// What a member searches a source with.
+struct MemberSearch {
+  explicit MemberSearch(const session::RobotProfile& profile)
+      : readings(source_readings_params(profile)) {}
+
+  source_search::SourceReadings readings;
+  std::shared_ptr<source_search::SourceSearch> strategy;
+};
+
+/// What drives a member that searches a source.
+std::unique_ptr<exploration::Explorer> team_searcher(FleetMember& member,
+                                                     MemberSearch& search,
+                                                     const session::RobotProfile& profile,
+                                                     const std::string& name,
+                                                     double max_s) {
+  const source_search::SourceSearchParams source = source_search_params(profile);
+  fleet_member::TeamSearcherParams params;
+  params.max_s = max_s;
+  params.avoidance.robot = name;
+  params.avoidance.navigator = source.navigator;
+  params.avoidance.guard.robot_radius_m = profile.body_radius_m;
+  params.avoidance.aside.costs = source.navigator.costs;
+  search.strategy = std::make_shared<source_search::SourceSearch>(source);
+  return strategies::under_watch(std::make_unique<fleet_member::TeamSearcher>(
+                                     member, search.strategy, search.readings, params),
+                                 profile,
+                                 true);
+}
+
+/// Writes what the fleet has found into the run; answers how the search has ended.
+RunEnding report_on_team_search(FleetMember& member,
+                                const MemberSearch& search,
+                                const RunEnding& drive,
+                                const ExploreRun& run,
+                                nlohmann::ordered_json& report) {
+  const auto* strategy = search.strategy.get();
+  const auto* belief = strategy != nullptr ? strategy->belief() : nullptr;
+  nlohmann::ordered_json source = source_report(belief);
+  const bool is_own = strategy != nullptr && strategy->has_ended();
+  if (const auto told = member.search_view().finding; told && !is_own) {
+    source = told_report(*told);
+  }
+  report["source"] = source;
+  write_report(run.out / "source.json", source);
+  if (belief != nullptr) {
+    write_source_density(run.out / "source_density.csv", *belief);
+  }
+  return ending_of_search(drive, source, run.next);
+}
+
 /// "NAME,X,Y,DEGREES": where the map of another robot lies in this one's.
 void tell_start(FleetMember& member, const std::string& own, const std::string& words) {
   const std::size_t comma = words.find(',');
@@ -185,7 +239,16 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   const RunOptions& run = options.run;
   refuse_other_strategies(run.strategy);
   const bool in_rounds = !options.rounds_with.empty();
-  RobotContext robot(profile_for(run.robot, run.strategy), session::Seed(run.seed));
+  session::RobotProfile profile = profile_for(run.robot, run.strategy);
+  std::optional<MemberSearch> search;
+  if (options.search) {
+    validate_searcher(profile);
+    search.emplace(profile);
+  }
+  RobotContext robot(std::move(profile), session::Seed(run.seed));
+  if (search) {
+    robot.fork().add(search->readings);
+  }
   const auto out = run_folder(run.out);
   LiveRun live({}, robot, {.command = "fleet join", .out = out});
   begin_maps(robot, "", run.slam);
@@ -193,7 +256,10 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   exports::RunSummary summary;
 
   const broker::Credentials credentials = broker::read_credentials(options.as);
-  const FleetMemberParams params = member_params(credentials, robot.profile(), in_rounds);
+  FleetMemberParams params = member_params(credentials, robot.profile(), in_rounds);
+  if (search) {
+    params.source = source_readings_params(robot.profile());
+  }
   const FleetConnection connection =
       connect_to_fleet(options.as, fleet::last_will(params.exchange));
   std::optional<fleet::FleetRounds> rounds;
@@ -220,15 +286,21 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   explore.next = next_of(options, out);
   MemberEncounters encounters;
   explore.make_explorer = [&](const strategies::StrategyOptions& left) {
-    return team_explorer(member, robot.profile(), credentials.user, left, encounters);
+    return search ? team_searcher(member, *search, robot.profile(), credentials.user, options.max_s)
+                  : team_explorer(member, robot.profile(), credentials.user, left, encounters);
   };
   explore.known = [&] { return member.known(); };
-  const RunEnding ending = explore_and_save(robot, explore, summary);
+  RunEnding ending = explore_and_save(robot, explore, summary);
   const double end_s = session::now_s(robot.session());
   part(member, rounds ? &*rounds : nullptr, *connection.bus, end_s);
   save_team_map(member, robot.profile(), out / "team", summary);
   robot.quit();
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
+  if (search) {
+    ending = report_on_team_search(member, *search, ending, explore, report);
+    report["outcome"] = ending.outcome;
+    report["strategy"] = "source";
+  }
   end_recording(robot, report, out);
   report["team"] = team_report(member.joins(), encounters);
   write_report(out / "summary.json", report);

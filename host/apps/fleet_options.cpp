@@ -50,6 +50,22 @@ CLI::Option* add_as(CLI::App& command, std::filesystem::path& as) {
       ->check(CLI::ExistingFile);
 }
 
+/// Of a fleet that searches a source.
+CLI::Option* add_search_options(CLI::App& command, bool& search, double& max_s) {
+  CLI::Option* flag =
+      command.add_flag("--search",
+                       search,
+                       "Search a source of radiation together, or show that there is none; the "
+                       "robots need a [scalar] sensor of pulses, as uno_geiger has");
+  command
+      .add_option(
+          "--search-seconds", max_s, "Robot time after which a search ends unsure, exit code 8")
+      ->check(CLI::PositiveNumber)
+      ->needs(flag)
+      ->capture_default_str();
+  return flag;
+}
+
 void add_fleet_start(CLI::App& fleet, CommandAction& action) {
   CLI::App* command = fleet.add_subcommand(
       "start", "Start a broker and simulated robots that explore one room together");
@@ -74,6 +90,13 @@ void add_fleet_start(CLI::App& fleet, CommandAction& action) {
   command->add_flag("--tls", options->tls, "The broker speaks TLS, by a certificate made for it");
   command->add_option("--robot", options->run.robot, "Profile of the robots")
       ->capture_default_str();
+  add_search_options(*command, options->search, options->max_s);
+  command
+      ->add_option("--source",
+                   options->robot.sources,
+                   "Sources in place of the room's, X,Y,STRENGTH in metres and pulses a second at "
+                   "1 m, may be repeated; or none")
+      ->allow_extra_args(false);
   command->add_option("--seed", options->run.seed, "Seed of every random generator")
       ->capture_default_str();
   add_out_options(*command, options->run.out, options->run.force);
@@ -103,6 +126,7 @@ void add_fleet_join(CLI::App& fleet, CommandAction& action) {
                    options->rounds_with,
                    "Of a simulated fleet: a robot of it, this one included; may be repeated")
       ->allow_extra_args(false);
+  add_search_options(*command, options->search, options->max_s);
   add_run_options(*command, options->run);
   command->footer("Example: echomap fleet join --as broker/members/robot0.toml");
   command->callback(

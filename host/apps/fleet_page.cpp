@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/fleet_page.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
 #include "host/apps/fleet_watch.hpp"
 #include "host/apps/served_page.hpp"
+#include "host/apps/source_layer.hpp"
+#include "host/fleet_member/search_view.hpp"
 #include "host/fleet_messages/conversions.hpp"
 #include "host/fleet_messages/payload.hpp"
+#include "host/mapping/raster_map.hpp"
+#include "host/source_search/source_readings.hpp"
 
 namespace echomap::apps {
 namespace {
 
 constexpr double kTrailStepM = 0.1;
+constexpr double kSourcePeriodS = 3.0;
 
 live_page::Presence presence_of(fleet::Attendance attendance) {
   switch (attendance) {
@@ -96,6 +102,36 @@ live_page::TeamRobot FleetPage::shown(const fleet::FleetRobot& robot,
   return shown;
 }
 
+/// By all readings on the map of all, made anew every few seconds; what a robot is sure of holds.
+const std::optional<live_page::TeamSource>& FleetPage::source(double time_s,
+                                                              const fleet::FleetState& state,
+                                                              fleet_member::TeamPicture& picture,
+                                                              const std::string& map_name) {
+  const bool is_searched = std::any_of(
+      state.robots.begin(), state.robots.end(), [](const auto& robot) { return robot.search; });
+  const bool is_due = !source_revision_ || (*source_revision_ != state.revision &&
+                                            time_s >= sourced_s_ + kSourcePeriodS);
+  if (!is_searched || !is_due || picture.team().component_of(map_name) == nullptr) {
+    return source_;
+  }
+  source_revision_ = state.revision;
+  sourced_s_ = time_s;
+  const auto view = fleet_member::search_view(
+      state, picture, map_name, "", source_search::SourceReadingsParams().position_stddev_m);
+  std::vector<source_search::FieldReading> readings;
+  for (const fleet_member::SharedReading& shared : view.readings) {
+    readings.push_back(shared.reading);
+  }
+  source_search::SourceBelief belief({}, mapping::rasterize(*picture.team().merged(map_name).grid));
+  belief.add(readings);
+  source_ = shown_source(belief);
+  if (view.finding) {
+    source_->verdict = source_search::name_of(view.finding->report.verdict);
+    source_->at_m = view.finding->at_m;
+  }
+  return source_;
+}
+
 void FleetPage::show(double time_s,
                      const fleet::FleetState& state,
                      fleet_member::TeamPicture& picture,
@@ -114,6 +150,7 @@ void FleetPage::show(double time_s,
   for (const fleet::FleetRobot& robot : state.robots) {
     team.robots.push_back(shown(robot, picture, map_name));
   }
+  team.source = source(time_s, state, picture, map_name);
   publisher_->add_team(time_s, team);
   live_page::RunState run;
   run.phase = live_page::RunState::Phase::kRunning;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,11 +43,20 @@ class FleetPage {
                              const fleet_member::TeamPicture& picture,
                              const std::string& map_name) const;
 
+  /// Where a fleet believes its source to be; empty where nobody searches.
+  const std::optional<live_page::TeamSource>& source(double time_s,
+                                                     const fleet::FleetState& state,
+                                                     fleet_member::TeamPicture& picture,
+                                                     const std::string& map_name);
+
   std::shared_ptr<live_page::RunPublisher> publisher_;
   std::unique_ptr<live_page::PageServer> server_;
   /// By the name of a robot's own map, some centimetres apart.
   std::map<std::string, std::vector<Eigen::Vector2d>> trails_m_;
   const mapping::OccupancyGrid* grid_ = nullptr;
+  std::optional<live_page::TeamSource> source_;
+  std::optional<std::uint64_t> source_revision_;  ///< Of the fleet's state.
+  double sourced_s_ = 0.0;
 };
 
 }  // namespace echomap::apps

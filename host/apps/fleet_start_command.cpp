@@ -19,6 +19,8 @@
 #include "host/apps/fleet_score.hpp"
 #include "host/apps/fleet_watch.hpp"
 #include "host/apps/report.hpp"
+#include "host/apps/source_report.hpp"
+#include "host/apps/source_setup.hpp"
 #include "host/broker/broker.hpp"
 #include "host/console/interrupt.hpp"
 #include "host/console/print.hpp"
@@ -145,6 +147,10 @@ class Members {
     for (const std::string& name : names_) {
       command.insert(command.end(), {"--round-with", name});
     }
+    if (options.search) {
+      command.insert(command.end(),
+                     {"--search", "--search-seconds", fmt::format("{}", options.max_s)});
+    }
     return command;
   }
 
@@ -224,12 +230,60 @@ RunEnding ending_of(const FleetStartOptions& options,
   return ending;
 }
 
+/// What the fleet has found, by the robots that say so: each is scored by the truth of its own map,
+/// and told on the map of the first robot.
+nlohmann::ordered_json source_findings(const fleet::FleetState& state,
+                                       const fleet_member::TeamPicture& picture,
+                                       const std::string& first_map,
+                                       const fs::path& out) {
+  auto findings = nlohmann::ordered_json::array();
+  for (const fleet::FleetRobot& robot : state.robots) {
+    if (!robot.search || robot.search->verdict == source_search::SourceVerdict::kUndecided) {
+      continue;
+    }
+    auto finding = told_report({robot.name, *robot.search, robot.search->at_m});
+    finding["found_radius_m"] = source_search::SourceBeliefParams().found_radius_m;
+    if (robot.search_map_number == 0) {
+      add_source_truth(out / "truth" / robot.name / "source.json", finding);
+    }
+    const auto relative = picture.team().relative_pose(
+        first_map, fleet_member::map_name(robot.name, robot.search_map_number));
+    if (robot.search->verdict == source_search::SourceVerdict::kFound) {
+      const Eigen::Vector2d at_m =
+          relative ? relative->T_own_peer * robot.search->at_m : Eigen::Vector2d::Zero();
+      finding["best_m"] =
+          relative ? nlohmann::ordered_json{at_m.x(), at_m.y()} : nlohmann::ordered_json();
+    }
+    findings.push_back(std::move(finding));
+  }
+  return findings;
+}
+
+/// How a fleet has ended that searches a source: as the first of it that is sure says.
+RunEnding ending_of_fleet_search(const nlohmann::ordered_json& findings, RunEnding maps) {
+  if (findings.empty() || maps.code == ExitCode::kInterrupted) {
+    if (maps.code == ExitCode::kOk) {
+      maps.code = ExitCode::kUnfinished;
+      maps.outcome = "unsure";
+    }
+    maps.why = "nobody was sure of a source; " + maps.why;
+    return maps;
+  }
+  RunEnding ending = ending_of_search({}, findings.front(), {});
+  ending.why += "; " + maps.why;
+  ending.next = maps.next;
+  return ending;
+}
+
 }  // namespace
 
 ExitCode run_fleet_start(const FleetStartOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const RunOptions& run = options.run;
   RobotProfile profile = profile_for(run.robot, run.strategy);
+  if (options.search) {
+    validate_searcher(profile);
+  }
   const fs::path body = files::bundled_file(
       options.robot.body.empty() ? profile.name : options.robot.body, "hil_mock/robots", "body");
   const fs::path out = fs::absolute(run_folder(run.out));
@@ -258,17 +312,25 @@ ExitCode run_fleet_start(const FleetStartOptions& options) {
   summary.robot = profile.name;
   summary.world = options.robot.world;
   summary.seed = run.seed;
-  const RunEnding ending = ending_of(options, members, watch.state(), picture, out);
+  RunEnding ending = ending_of(options, members, watch.state(), picture, out);
+  nlohmann::ordered_json findings;
+  const std::string map = latest_map(watch.state(), members.names().front());
+  if (options.search) {
+    findings = source_findings(watch.state(), picture, map, out);
+    ending = ending_of_fleet_search(findings, std::move(ending));
+  }
   describe_ending(ending, summary);
   summary.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const std::string map = latest_map(watch.state(), members.names().front());
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
   if (const auto snapshot = team_snapshot(picture, map)) {
     save_fleet_map(*snapshot, picture.team().merged(map), profile, out, summary);
     report["fleet"] = fleet_report(members.names(), watch, picture, out);
   }
   report["fleet"]["exits"] = members.exits();
+  if (options.search) {
+    report["source"] = findings;
+  }
   write_report(out / "summary.json", report);
   write_report(run.json, report);
   print_ending(ending);

@@ -42,6 +42,9 @@ void AtlasSource::publish(double time_s, live_page::RunPublisher& publisher) {
     publisher.map().begin_new_map(time_s);
   }
   publisher.map().look_at(time_s, atlas_.pipeline().snapshot());
+  if (more) {
+    more(time_s, publisher);
+  }
 }
 
 void AtlasSource::describe(live_page::RunState& state) const {

@@ -53,6 +53,9 @@ class AtlasSource final : public LiveSource {
   void describe(live_page::RunState& state) const override;
   void describe(live_page::EventFacts& facts) const override;
 
+  /// Publishes what else there is to be shown; null for nothing.
+  std::function<void(double time_s, live_page::RunPublisher& publisher)> more = nullptr;
+
  private:
   const pipeline::RobotAtlas& atlas_;
   const exploration::Explorer* explorer_;

@@ -13,7 +13,9 @@
 #include "host/apps/live_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_recording.hpp"
+#include "host/apps/source_layer.hpp"
 #include "host/apps/source_report.hpp"
+#include "host/apps/source_setup.hpp"
 #include "host/console/print.hpp"
 #include "host/console/shell_line.hpp"
 #include "host/files/bundled_files.hpp"
@@ -32,39 +34,6 @@ using session::RobotProfile;
 using source_search::SourceExplorer;
 using source_search::SourceReadings;
 using source_search::SourceSearch;
-
-/// Throws CommandError where the robot has no sensor that the search understands.
-RobotProfile profile_of_searcher(const RunOptions& run) {
-  RobotProfile profile = profile_for(run.robot, run.strategy);
-  const auto& scalar = profile.sensors.scalar;
-  if (scalar && scalar->kind == sensors::ScalarKind::kPulses) {
-    return profile;
-  }
-  throw CommandError(
-      ExitCode::kConfigInvalid,
-      (scalar ? "a source is searched by pulses, and the [scalar] sensor of profile '" +
-                    profile.name + "' reads a level"
-              : "profile '" + profile.name + "' has no [scalar] sensor to search a source by") +
-          "\n  next: add a table [scalar] of pulses (docs/guides/robot_profile.md), or: "
-          "echomap search --robot uno_geiger");
-}
-
-source_search::SourceReadingsParams readings_params(const RobotProfile& profile) {
-  source_search::SourceReadingsParams params;
-  params.dead_time_s = profile.sensors.scalar ? profile.sensors.scalar->dead_time_s : 0.0;
-  return params;
-}
-
-source_search::SourceSearchParams search_params(const RobotProfile& profile) {
-  const auto frontier = strategies::frontier_params(profile, std::nullopt);
-  source_search::SourceSearchParams params;
-  params.navigator = frontier.navigator;
-  params.gain = frontier.gain;
-  params.viewpoints = frontier.viewpoints;
-  params.sweep = frontier.sweep;
-  params.choice.speed_m_per_s = profile.speed_m_per_s;
-  return params;
-}
 
 /// The simulated robot that is asked for; empty where the robot is at a port.
 std::optional<session::SimulatedRobots> simulate(const SearchOptions& options,
@@ -140,11 +109,12 @@ RunEnding report_on_search(RobotContext& robot,
 
 ExitCode run_search(const SearchOptions& options) {
   const RunOptions& run = options.run;
-  RobotProfile profile = profile_of_searcher(run);
+  RobotProfile profile = profile_for(run.robot, run.strategy);
+  validate_searcher(profile);
   const auto out = run_folder(run.out);
   prepare_outputs(out, run.json, run.force);
   std::optional<session::SimulatedRobots> simulated = simulate(options, profile, out);
-  SourceReadings readings(readings_params(profile));
+  SourceReadings readings(source_readings_params(profile));
   RobotContext robot(std::move(profile), session::Seed(run.seed));
   robot.fork().add(readings);
   LiveRun live(options.live,
@@ -162,8 +132,12 @@ ExitCode run_search(const SearchOptions& options) {
   std::shared_ptr<SourceSearch> search;
   ExploreRun explore{run.strategy, live, out, progress_display(run), run.align, split_bytes(run)};
   explore.next = next_of_search(options, out);
+  SourceLayer layer;
+  explore.show_more = [&](double time_s, live_page::RunPublisher& publisher) {
+    layer.publish(time_s, search ? search->belief() : nullptr, publisher);
+  };
   explore.make_explorer = [&](const strategies::StrategyOptions& /*left*/) {
-    search = std::make_shared<SourceSearch>(search_params(robot.profile()));
+    search = std::make_shared<SourceSearch>(source_search_params(robot.profile()));
     return strategies::under_watch(
         std::make_unique<SourceExplorer>(search, readings, max_s), robot.profile(), true);
   };

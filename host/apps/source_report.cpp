@@ -55,6 +55,23 @@ std::string text_of_none(const Report& report) {
       100.0 * report.at("none_probability").get<double>());
 }
 
+/// Of what another robot of a fleet has told.
+std::string text_of_told(const Report& report) {
+  const std::string robot = report.at("told_by");
+  if (report.at("verdict") == "none") {
+    return fmt::format("{} has shown that there is no source that counts, with {:.0f} %",
+                       robot,
+                       100.0 * report.at("none_probability").get<double>());
+  }
+  return fmt::format("{} has found a source of {:.1f} pulses/s at 1 m, with {:.0f} %, {}",
+                     robot,
+                     report.at("strength").at("median").get<double>(),
+                     100.0 * report.at("within_probability").get<double>(),
+                     report.at("best_m").is_null()
+                         ? "on its own map, which is not joined to this one"
+                         : "at " + place_of(report) + " of this map");
+}
+
 std::string text_of_unsure(const Report& report) {
   if (!report.contains("best_m")) {
     return "nothing was read on any map";
@@ -76,6 +93,19 @@ Report source_report(const SourceBelief* belief) {
     report["verdict"] = "unsure";
   }
   report["readings"] = belief->grid().readings().size();
+  return report;
+}
+
+Report told_report(const fleet_member::TeamFinding& told) {
+  const fleet_messages::SearchReport& said = told.report;
+  Report report{{"verdict", source_search::name_of(said.verdict)}, {"told_by", told.robot}};
+  if (said.verdict == source_search::SourceVerdict::kFound) {
+    report["best_m"] = told.at_m ? Report{told.at_m->x(), told.at_m->y()} : Report();
+    report["within_probability"] = said.probability;
+    report["strength"] = {{"median", said.strength}, {"log_stddev", nullptr}};
+  } else {
+    report["none_probability"] = said.probability;
+  }
   return report;
 }
 
@@ -115,6 +145,9 @@ RunEnding ending_of_search(RunEnding drive, const Report& report, const NextComm
     return drive;
   }
   const std::string verdict = report.at("verdict");
+  if (report.contains("told_by")) {
+    return {verdict, console::ExitCode::kOk, text_of_told(report), next.use};
+  }
   if (verdict == "found") {
     return {verdict, console::ExitCode::kOk, text_of_source(report), next.use};
   }

@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "host/apps/run_ending.hpp"
+#include "host/fleet_member/search_view.hpp"
 #include "host/source_search/source_belief.hpp"
 
 namespace echomap::apps {
@@ -14,6 +15,10 @@ namespace echomap::apps {
 /// source_search::source_json, with the verdict "unsure" where it is undecided. Null: nothing was
 /// read on any map, and that is all that is said.
 nlohmann::ordered_json source_report(const source_search::SourceBelief* belief);
+
+/// What another robot of a fleet has told of a source, as a source report: verdict, `told_by`, its
+/// probability, and the place in the map that was asked for, null where the maps are not joined.
+nlohmann::ordered_json told_report(const fleet_member::TeamFinding& told);
 
 /// Adds `truth` to a source report: `sources` as the file source.json of a simulated robot's truth
 /// has them in the map frame, `error_m` of the place that was found, and whether the verdict is

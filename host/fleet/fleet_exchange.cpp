@@ -120,6 +120,11 @@ bool FleetExchange::set_claims(const std::vector<team_exploration::Claim>& claim
   return message && publish(*message, Worth::kUrgent);
 }
 
+bool FleetExchange::set_search(const fleet_messages::SearchReport& report) {
+  const auto message = fleet_messages::to_message(report, map_number_);
+  return message && publish(*message, Worth::kUrgent);
+}
+
 bool FleetExchange::set_alignment(const std::vector<fleet_messages::AlignedMap>& maps) {
   const auto message = fleet_messages::to_message(maps);
   return message && publish(*message, Worth::kGraph);

@@ -53,6 +53,8 @@ class FleetExchange {
   bool set_graph(const std::vector<geometry::Pose2>& T_map_submaps,
                  const Eigen::Matrix3d& latest_covariance);
   bool set_claims(const std::vector<team_exploration::Claim>& claims);
+  /// Of a robot that searches a source: what it has come to and is about to read.
+  bool set_search(const fleet_messages::SearchReport& report);
   bool set_alignment(const std::vector<fleet_messages::AlignedMap>& maps);
   /// Publishes where the robot is, at most as often as the parameters say. `stamp_s` is of the
   /// robot's clock.

@@ -21,7 +21,8 @@ namespace echomap::fleet {
 /// Whether presence messages have the hash of the latest message of such a topic.
 constexpr bool is_in_latest_set(fleet_messages::TopicKind kind) {
   using fleet_messages::TopicKind;
-  return kind == TopicKind::kGraph || kind == TopicKind::kClaim || kind == TopicKind::kAlignment;
+  return kind == TopicKind::kGraph || kind == TopicKind::kClaim || kind == TopicKind::kAlignment ||
+         kind == TopicKind::kSearch;
 }
 
 /// Whether others pass such a message on of a robot that is gone.

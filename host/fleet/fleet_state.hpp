@@ -55,6 +55,9 @@ struct FleetRobot {
   /// In its map of `claims_map_number`; none of a robot that is not alive.
   std::vector<team_exploration::Claim> claims;
   std::uint16_t claims_map_number = 0;
+  /// In its map of `search_map_number`; empty where it does not search.
+  std::optional<fleet_messages::SearchReport> search;
+  std::uint16_t search_map_number = 0;
   std::vector<fleet_messages::AlignedMap> alignment;
   std::size_t known_objects = 0;          ///< How many objects it has, of whomever,
   fleet_messages::ContentHash known_set;  ///< and the hash of their set.

@@ -48,6 +48,8 @@ bool RobotKnowledge::take(const fleet_messages::MessageBody& body,
     set_pose(*pose, now_s);
   } else if (const auto* claims = std::get_if<ClaimMessage>(&body)) {
     set_claims(*claims);
+  } else if (const auto* search = std::get_if<SearchMessage>(&body)) {
+    set_search(*search);
   } else if (const auto* manifest = std::get_if<ManifestMessage>(&body)) {
     pages_[manifest->page] = manifest->objects;
   }
@@ -104,6 +106,11 @@ FleetRobot RobotKnowledge::state(double now_s, double gone_after_s) const {
     robot.claims = claims_;
   }
   robot.claims_map_number = claims_map_number_;
+  robot.search = search_;
+  if (robot.search && robot.attendance != Attendance::kAlive) {
+    robot.search->plan.clear();
+  }
+  robot.search_map_number = search_map_number_;
   robot.alignment = alignment_;
   return robot;
 }
@@ -167,6 +174,11 @@ void RobotKnowledge::set_pose(const fleet_messages::PoseMessage& message, double
 void RobotKnowledge::set_claims(const fleet_messages::ClaimMessage& message) {
   claims_ = fleet_messages::to_claims(message, name_);
   claims_map_number_ = message.map_number;
+}
+
+void RobotKnowledge::set_search(const fleet_messages::SearchMessage& message) {
+  search_ = fleet_messages::to_search_report(message);
+  search_map_number_ = message.map_number;
 }
 
 FleetMap RobotKnowledge::shown(std::uint16_t number, const Map& map) const {

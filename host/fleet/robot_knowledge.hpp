@@ -69,6 +69,7 @@ class RobotKnowledge {
   bool set_presence(const fleet_messages::PresenceMessage& message);
   void set_pose(const fleet_messages::PoseMessage& message, double now_s);
   void set_claims(const fleet_messages::ClaimMessage& message);
+  void set_search(const fleet_messages::SearchMessage& message);
   FleetMap shown(std::uint16_t number, const Map& map) const;
 
   std::string name_;
@@ -81,6 +82,8 @@ class RobotKnowledge {
   std::map<std::uint16_t, std::vector<fleet_messages::ContentHash>> pages_;
   std::vector<team_exploration::Claim> claims_;
   std::uint16_t claims_map_number_ = 0;
+  std::optional<fleet_messages::SearchReport> search_;
+  std::uint16_t search_map_number_ = 0;
   std::vector<fleet_messages::AlignedMap> alignment_;
 };
 

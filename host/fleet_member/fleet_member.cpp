@@ -50,11 +50,19 @@ FleetMember::FleetMember(session::RobotContext& robot,
 FleetMember::~FleetMember() { robot_.put_before_maps(robot_.atlas()); }
 
 void FleetMember::begin_map() {
+  if (source_recorder_) {
+    behind_filter_.remove(*source_recorder_);
+  }
   if (recorder_) {
     behind_filter_.remove(*recorder_);
   }
   recorder_ = std::make_unique<team_map::SubmapRecorder>(robot_.profile().geometry);
   behind_filter_.add(*recorder_);
+  if (params_.source) {
+    source_recorder_ =
+        std::make_unique<SourceRecorder>(*recorder_, *params_.source, params_.source_batch_s);
+    behind_filter_.add(*source_recorder_);
+  }
   told_stops_ = robot_.atlas().pipeline().snapshot().stops;
 }
 
@@ -69,6 +77,11 @@ void FleetMember::step() {
 
 void FleetMember::exchange(double now_s) {
   tell_stops();
+  if (source_recorder_) {
+    if (const auto batch = source_recorder_->take()) {
+      exchange_.add_source_batch(*batch);
+    }
+  }
   tell_pose(now_s);
   exchange_.update(now_s);
   state_ = exchange_.state();
@@ -138,6 +151,21 @@ std::vector<Peer> FleetMember::peers() const {
 
 void FleetMember::claim(const std::optional<Claim>& claim) {
   exchange_.set_claims(claim ? std::vector{*claim} : std::vector<Claim>{});
+}
+
+SearchView FleetMember::search_view() const {
+  const double place_stddev_m = params_.source ? params_.source->position_stddev_m : 0.0;
+  const std::string& robot = params_.exchange.robot;
+  return fleet_member::search_view(
+      state_, picture_, map_name(robot, exchange_.map_number()), robot, place_stddev_m);
+}
+
+void FleetMember::tell_search(const fleet_messages::SearchReport& report) {
+  const auto message = fleet_messages::to_message(report, exchange_.map_number());
+  if (message && message != told_search_) {
+    exchange_.set_search(report);
+    told_search_ = message;
+  }
 }
 
 Snapshot FleetMember::known() {

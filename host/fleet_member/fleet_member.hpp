@@ -10,6 +10,8 @@
 
 #include "host/fleet/fleet_exchange.hpp"
 #include "host/fleet_member/join_log.hpp"
+#include "host/fleet_member/search_board.hpp"
+#include "host/fleet_member/source_recorder.hpp"
 #include "host/fleet_member/team_picture.hpp"
 #include "host/pipeline/observation_fork.hpp"
 #include "host/pipeline/snapshot.hpp"
@@ -31,12 +33,15 @@ struct FleetMemberParams {
   double peer_drift_m_per_s = 0.1;
   /// up to so many: one that tells nothing for longer stands.
   double peer_drift_s = 2.0;
+  /// Of a robot that searches a source: how it reads, and for how long in one batch, seconds.
+  std::optional<source_search::SourceReadingsParams> source;
+  double source_batch_s = 4.0;
 };
 
 /// A connected robot as a member of a fleet: tells each stop, its pose and its claim, and has what
 /// the others have told in its own map frame. Echoes and contacts of the others are kept out of
 /// its map.
-class FleetMember final : public team_exploration::TeamBoard {
+class FleetMember final : public SearchBoard {
  public:
   /// `robot` has begun its maps and is not open yet; it and the bus outlive this. Throws as
   /// FleetExchange.
@@ -51,6 +56,8 @@ class FleetMember final : public team_exploration::TeamBoard {
 
   team_exploration::TeamView view() override;
   void claim(const std::optional<team_exploration::Claim>& claim) override;
+  SearchView search_view() const override;
+  void tell_search(const fleet_messages::SearchReport& report) override;
   /// The robot's snapshot with the map of all joined robots in place of its own.
   pipeline::Snapshot known();
   /// From now on this holds of where two robots started, whatever walls say.
@@ -88,6 +95,8 @@ class FleetMember final : public team_exploration::TeamBoard {
   pipeline::ObservationFork behind_filter_;
   team_exploration::PeerEchoFilter filter_;
   std::unique_ptr<team_map::SubmapRecorder> recorder_;
+  std::unique_ptr<SourceRecorder> source_recorder_;  ///< Null of a robot that does not search.
+  std::optional<fleet_messages::SearchMessage> told_search_;
   session::RobotContext::StepListener listener_;
   fleet::FleetState state_;
   std::size_t told_stops_ = 0;   ///< Of the pipeline.

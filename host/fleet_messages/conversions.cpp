@@ -221,6 +221,35 @@ SourceBatch to_source_batch(const SourceMessage& message) {
   return batch;
 }
 
+std::optional<SearchMessage> to_message(const SearchReport& report, std::uint16_t map_number) {
+  Quantiser quantiser;
+  SearchMessage message;
+  message.map_number = map_number;
+  message.verdict = static_cast<std::uint8_t>(report.verdict);
+  message.probability_milli = quantiser.thousandths<std::uint16_t>(report.probability);
+  message.x_mm = quantiser.thousandths<std::int32_t>(report.at_m.x());
+  message.y_mm = quantiser.thousandths<std::int32_t>(report.at_m.y());
+  message.strength_milli = quantiser.thousandths<std::uint32_t>(report.strength);
+  for (const source_search::PlannedDwell& dwell : report.plan) {
+    message.plan.push_back({quantiser.thousandths<std::int32_t>(dwell.at_m.x()),
+                            quantiser.thousandths<std::int32_t>(dwell.at_m.y()),
+                            quantiser.thousandths<std::uint32_t>(dwell.dwell_s)});
+  }
+  return message_if(quantiser.fits(), std::move(message));
+}
+
+SearchReport to_search_report(const SearchMessage& message) {
+  SearchReport report{static_cast<source_search::SourceVerdict>(message.verdict),
+                      message.probability_milli / 1000.0,
+                      {message.x_mm / 1000.0, message.y_mm / 1000.0},
+                      message.strength_milli / 1000.0,
+                      {}};
+  for (const DwellRow& row : message.plan) {
+    report.plan.push_back({{row.x_mm / 1000.0, row.y_mm / 1000.0}, row.dwell_ms / 1000.0});
+  }
+  return report;
+}
+
 std::optional<AlignmentMessage> to_message(const std::vector<AlignedMap>& maps) {
   Quantiser quantiser;
   AlignmentMessage message;

@@ -9,6 +9,8 @@
 
 #include "host/fleet_messages/messages.hpp"
 #include "host/geometry/pose2.hpp"
+#include "host/source_search/information_gain.hpp"
+#include "host/source_search/source_estimate.hpp"
 #include "host/team_exploration/team_view.hpp"
 #include "host/team_map/submap.hpp"
 
@@ -42,6 +44,15 @@ struct SourceReading {
 struct SourceBatch {
   std::uint32_t submap_index = 0;
   std::vector<SourceReading> readings;  ///< In the order of time.
+};
+
+/// What a robot that searches a source tells of it, in its own map.
+struct SearchReport {
+  source_search::SourceVerdict verdict = source_search::SourceVerdict::kUndecided;
+  double probability = 0.0;                         ///< Of the verdict; to 0.001.
+  Eigen::Vector2d at_m = Eigen::Vector2d::Zero();   ///< Of the source, where it is found.
+  double strength = 0.0;                            ///< Of that, one metre away.
+  std::vector<source_search::PlannedDwell> plan{};  ///< What the robot is about to read.
 };
 
 /// Where a robot's map lies in the frame of its component, and its submaps, where the component's
@@ -89,6 +100,11 @@ std::vector<team_exploration::Claim> to_claims(const ClaimMessage& message,
 std::optional<SourceMessage> to_message(const SourceBatch& batch, std::uint16_t map_number);
 /// Readings as they were sent.
 SourceBatch to_source_batch(const SourceMessage& message);
+
+/// A searching robot's report as it is sent.
+std::optional<SearchMessage> to_message(const SearchReport& report, std::uint16_t map_number);
+/// A report as it was sent.
+SearchReport to_search_report(const SearchMessage& message);
 
 /// An alignment as it is sent.
 std::optional<AlignmentMessage> to_message(const std::vector<AlignedMap>& maps);

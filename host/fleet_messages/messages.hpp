@@ -260,6 +260,30 @@ struct AskMessage {
   }
 };
 
+/// What a robot that searches a source has come to, and what it is about to read.
+struct SearchMessage {
+  static constexpr TopicKind kKind = TopicKind::kSearch;
+  std::uint16_t map_number = 0;
+  std::uint8_t verdict = 0;             ///< A source_search::SourceVerdict.
+  std::uint16_t probability_milli = 0;  ///< Of the verdict.
+  std::int32_t x_mm = 0;                ///< Where the source is; 0 where it is not found.
+  std::int32_t y_mm = 0;
+  std::uint32_t strength_milli = 0;  ///< Thousandths of a pulse a second at 1 m, or of the level.
+  std::vector<DwellRow> plan;
+  bool operator==(const SearchMessage&) const = default;
+
+  template <class M, class V>
+  static void fields(M& self, V& visit) {
+    visit("map_number", self.map_number);
+    visit("verdict", self.verdict, std::uint64_t{2});
+    visit("probability_milli", self.probability_milli, std::uint64_t{1000});
+    visit("x_mm", self.x_mm);
+    visit("y_mm", self.y_mm);
+    visit("strength_milli", self.strength_milli);
+    visit("plan", self.plan);
+  }
+};
+
 /// Any of them. The index of a type, plus one, is its kind in a payload.
 using MessageBody = std::variant<PresenceMessage,
                                  PoseMessage,
@@ -270,7 +294,8 @@ using MessageBody = std::variant<PresenceMessage,
                                  SourceMessage,
                                  ClockMessage,
                                  AlignmentMessage,
-                                 AskMessage>;
+                                 AskMessage,
+                                 SearchMessage>;
 
 /// Whether a kind is that of objects: named by their hash, without boot id and counter.
 constexpr bool is_object(TopicKind kind) {

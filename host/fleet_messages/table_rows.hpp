@@ -107,6 +107,22 @@ struct SourceRow {
   }
 };
 
+/// A reading of a scalar sensor that a robot is about to take.
+struct DwellRow {
+  static constexpr bool kIsRow = true;
+  std::int32_t x_mm = 0;
+  std::int32_t y_mm = 0;
+  std::uint32_t dwell_ms = 0;
+  bool operator==(const DwellRow&) const = default;
+
+  template <class M, class V>
+  static constexpr void fields(M& self, V& visit) {
+    visit("x_mm", self.x_mm);
+    visit("y_mm", self.y_mm);
+    visit("dwell_ms", self.dwell_ms);
+  }
+};
+
 /// Covariance of a pose: standard deviations and correlations in 1/127. The largest standard
 /// deviation stands for larger ones, too.
 struct CovariancePart {

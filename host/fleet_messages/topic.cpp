@@ -34,6 +34,7 @@ constexpr std::array<TopicRow, std::size(kTopicKinds)> kTopicRows{{
     {"clock", IdType::kNone, true},
     {"alignment", IdType::kNone, true},
     {"ask", IdType::kNone, false},
+    {"search", IdType::kNone, true},
     {"relay", IdType::kHash, true},
 }};
 

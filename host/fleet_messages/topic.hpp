@@ -23,6 +23,7 @@ enum class TopicKind : std::uint8_t {
   kClock,
   kAlignment,
   kAsk,
+  kSearch,
   kRelay,
 };
 
@@ -37,6 +38,7 @@ inline constexpr TopicKind kTopicKinds[] = {TopicKind::kPresence,
                                             TopicKind::kClock,
                                             TopicKind::kAlignment,
                                             TopicKind::kAsk,
+                                            TopicKind::kSearch,
                                             TopicKind::kRelay};
 
 /// What follows the kind: nothing, a page or map number, or the name of an object.

@@ -90,12 +90,21 @@ class ReadingsInARow {
 
 }  // namespace
 
-SourceReadings::SourceReadings(const SourceReadingsParams& params) : params_(params) {
+void validate(const SourceReadingsParams& params) {
   geometry::ParameterValidator("source readings")
       .nonnegative_finite("dead_time_s", params.dead_time_s)
       .nonnegative_finite("together_m", params.together_m)
       .positive_finite("together_s", params.together_s)
       .nonnegative_finite("position_stddev_m", params.position_stddev_m);
+}
+
+double live_time_s(double count, double dwell_s, double dead_time_s) {
+  constexpr double kMinLiveShare = 0.05;
+  return std::max(dwell_s - count * dead_time_s, kMinLiveShare * dwell_s);
+}
+
+SourceReadings::SourceReadings(const SourceReadingsParams& params) : params_(params) {
+  validate(params);
 }
 
 void SourceReadings::on_scalar(const sensors::ScalarObservation& observation) {
@@ -109,9 +118,9 @@ std::vector<FieldReading> SourceReadings::placed(const pipeline::Snapshot& snaps
   ReadingsInARow row(params_);
   for (const sensors::ScalarObservation& observation : observations_) {
     if (const auto at_m = place.at(middle_of(observation))) {
-      FieldReading reading = corrected(observation);
-      reading.at_m = *at_m;
-      row.add(reading);
+      const double live_s =
+          live_time_s(observation.count, observation.dwell_s, params_.dead_time_s);
+      row.add({*at_m, observation.count, live_s, 0.0});
     } else {
       row.end_row();
     }
@@ -123,17 +132,6 @@ double SourceReadings::elapsed_s() const {
   return observations_.empty()
              ? 0.0
              : Seconds(observations_.back().stamp - observations_.front().stamp).count();
-}
-
-/// Of a non-paralysable sensor the time without its dead times counts (Knoll 2010, section 4.VII):
-/// the number stays what it is, so that its distribution does.
-FieldReading SourceReadings::corrected(const sensors::ScalarObservation& observation) const {
-  constexpr double kMinLiveShare = 0.05;
-  const double dead_s = observation.count * params_.dead_time_s;
-  FieldReading reading;
-  reading.value = observation.count;
-  reading.dwell_s = std::max(observation.dwell_s - dead_s, kMinLiveShare * observation.dwell_s);
-  return reading;
 }
 
 }  // namespace echomap::source_search

@@ -21,6 +21,13 @@ struct SourceReadingsParams {
   double position_stddev_m = 0.03;
 };
 
+/// Throws std::invalid_argument for invalid parameters.
+void validate(const SourceReadingsParams& params);
+
+/// The part of a dwell in which a non-paralysable sensor could notice a pulse (Knoll 2010, section
+/// 4.VII), seconds: the number of pulses stays what it is, so that its distribution does.
+double live_time_s(double count, double dwell_s, double dead_time_s);
+
 /// Gathers what a robot's scalar sensor reads and places it where the robot's trajectory has it
 /// now.
 class SourceReadings final : public pipeline::ObservationSink {
@@ -42,8 +49,6 @@ class SourceReadings final : public pipeline::ObservationSink {
   double elapsed_s() const;
 
  private:
-  FieldReading corrected(const sensors::ScalarObservation& observation) const;
-
   SourceReadingsParams params_;
   std::vector<sensors::ScalarObservation> observations_;
 };

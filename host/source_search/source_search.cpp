@@ -64,10 +64,21 @@ Motion SourceSearch::next(const pipeline::Snapshot& snapshot, MotionResult last)
   if (phase_ == Phase::kStarting && params_.explores) {
     return begin_sweep(snapshot);
   }
-  if (phase_ != Phase::kDriving || has_to_think(snapshot)) {
+  if (phase_ != Phase::kDriving || has_to_think(snapshot) || has_become_sure()) {
     return decide(snapshot);
   }
   return drive_on(snapshot);
+}
+
+/// Takes in what has come on the way: a claim is tested with each reading, lest the robot pass 95 %
+/// unnoticed.
+bool SourceSearch::has_become_sure() {
+  if (are_readings_moved_ || known_readings_ == readings_.size()) {
+    return false;
+  }
+  take_readings();
+  const SourceVerdict verdict = belief_->estimate().verdict;
+  return verdict == SourceVerdict::kFound || (verdict == SourceVerdict::kNone && !is_look_);
 }
 
 /// As exploration::Frontier.
@@ -88,6 +99,13 @@ std::optional<Motion> SourceSearch::recover(const pipeline::Snapshot& snapshot, 
   return motion;
 }
 
+void SourceSearch::reconsider() {
+  if (phase_ == Phase::kDriving) {
+    phase_ = Phase::kBackingOff;
+    goal_m_.reset();
+  }
+}
+
 exploration::Intent SourceSearch::intent() const {
   if (!goal_m_) {
     return {};
@@ -99,8 +117,7 @@ exploration::Intent SourceSearch::intent() const {
 
 void SourceSearch::set_map(const pipeline::Snapshot& snapshot) {
   map_ = navigator_.map_of(snapshot, params_.gain.depth_m);
-  navigator_.set_map(*map_, snapshot);
-  lattice_.emplace(navigator_.costs(), params_.choice.spacing_m);
+  set_ways(snapshot);
   stops_of_map_ = snapshot.stops;
   if (!belief_) {
     belief_.emplace(params_.belief, *map_);
@@ -110,11 +127,25 @@ void SourceSearch::set_map(const pipeline::Snapshot& snapshot) {
   are_readings_moved_ = false;
 }
 
+void SourceSearch::set_ways(const pipeline::Snapshot& snapshot) {
+  navigator_.set_map(*map_, snapshot);
+  lattice_.emplace(navigator_.costs(), params_.choice.spacing_m);
+}
+
 void SourceSearch::update(const pipeline::Snapshot& snapshot) {
   if (stops_of_map_ != snapshot.stops || are_readings_moved_) {
     set_map(snapshot);
     return;
   }
+  take_readings();
+  // Where it stands there is floor, whatever the map says: else no way would lead away.
+  const Eigen::Vector2d here_m = snapshot.latest.T_map_robot.position_m();
+  if (!navigator_.costs().is_open(navigator_.costs().cell_at(here_m))) {
+    set_ways(snapshot);
+  }
+}
+
+void SourceSearch::take_readings() {
   if (known_readings_ < readings_.size()) {
     belief_->add(std::span(readings_).subspan(known_readings_));
     known_readings_ = readings_.size();
@@ -136,6 +167,7 @@ Motion SourceSearch::decide(const pipeline::Snapshot& snapshot) {
   const SourceVerdict verdict = belief_->estimate().verdict;
   if (verdict == SourceVerdict::kFound || (verdict == SourceVerdict::kNone && !look)) {
     plan_readings_.clear();
+    has_ended_ = true;
     return Finished{FinishReason::kComplete};
   }
   if (++goals_ > params_.max_goals) {
@@ -190,6 +222,7 @@ Motion SourceSearch::drive_on(const pipeline::Snapshot& snapshot) {
   if (const auto motion = navigator_.next(snapshot.latest.T_map_robot)) {
     return *motion;
   }
+  navigator_.forget_failures();
   if (is_look_) {
     return begin_sweep(snapshot);
   }

@@ -52,6 +52,15 @@ class SourceSearch final : public exploration::Explorer {
   void set_readings(std::vector<FieldReading> readings);
   /// What others are about to read, in this robot's map: their `plan()`.
   void set_plans_of_others(std::vector<PlannedDwell> plans) { others_ = std::move(plans); }
+  /// Others who stand about from now on: ways lead round them.
+  void set_standing(std::vector<exploration::OccupiedFloor> standing) {
+    navigator_.set_standing(std::move(standing));
+  }
+  /// Decides anew with the next motion: something is in its way.
+  void reconsider();
+  bool is_driving() const { return phase_ == Phase::kDriving; }
+  /// Whether it has ended with an answer.
+  bool has_ended() const { return has_ended_; }
   /// What this robot is about to read; empty while it does not know.
   const std::vector<PlannedDwell>& plan() const { return plan_readings_; }
 
@@ -69,6 +78,9 @@ class SourceSearch final : public exploration::Explorer {
                                              exploration::MotionResult last);
   void update(const pipeline::Snapshot& snapshot);
   void set_map(const pipeline::Snapshot& snapshot);
+  void set_ways(const pipeline::Snapshot& snapshot);
+  void take_readings();
+  bool has_become_sure();
   bool has_to_think(const pipeline::Snapshot& snapshot) const;
   exploration::Motion decide(const pipeline::Snapshot& snapshot);
   std::optional<exploration::Viewpoint> choose_look(const pipeline::Snapshot& snapshot) const;
@@ -94,6 +106,7 @@ class SourceSearch final : public exploration::Explorer {
   bool is_look_ = false;  ///< The goal is to look from, not to count at.
   time::RobotTime thought_at_;
   std::size_t goals_ = 0;
+  bool has_ended_ = false;
 };
 
 }  // namespace echomap::source_search

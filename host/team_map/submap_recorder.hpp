@@ -26,6 +26,8 @@ class SubmapRecorder final : public pipeline::AnyObservationSink {
 
   void on(const sensors::Observation& observation) override;
 
+  /// Where the robot is by the odometry of its submaps.
+  const geometry::Pose2& T_odom_robot() const { return odometry_.T_odom_robot(); }
   /// One for each stop that has ended with at least one answer of the sonar.
   const std::vector<Submap>& submaps() const { return submaps_; }
   /// Takes the last submap back, where the map does not have its stop either

@@ -95,6 +95,29 @@ TEST_F(Fleet, IsSeenRecordedAndDrawnByThoseWhoLookOn) {
   EXPECT_EQ(fleet.wait().status, 130);
 }
 
+TEST_F(Fleet, SearchesASourceTogetherAndEndsWhenOneIsSure) {
+  const auto with = [&](const std::string& out, const std::string& source) {
+    return start(out, {"--robot=uno_geiger", "--search", "--source=" + source});
+  };
+  const Ended ended = Program("echomap", with("found", "2.0,0.6,20"), scratch / "log").wait();
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_THAT(ended.said, HasSubstr("has found a source of"));
+  const auto summary = json::parse(files::read_text_file(scratch / "found/summary.json"));
+  EXPECT_EQ(summary["outcome"], "found");
+  ASSERT_FALSE(summary["source"].empty());
+  EXPECT_EQ(summary["source"][0]["truth"]["right"], true) << summary["source"].dump();
+  for (const std::string robot : {"robot0", "robot1"}) {
+    const auto own = json::parse(files::read_text_file(scratch / "found" / robot / "source.json"));
+    EXPECT_EQ(own["verdict"], "found") << robot << " was told, or found it";
+  }
+}
+
+TEST_F(Fleet, RefusesToSearchWithoutASensor) {
+  const Ended ended = run(start("run", {"--search"}));
+  EXPECT_EQ(ended.status, 6) << ended.said;
+  EXPECT_THAT(ended.said, HasSubstr("no [scalar] sensor"));
+}
+
 TEST_F(Fleet, SaysWhatIsWrongWithCredentials) {
   const Ended missing = run({"fleet", "status", "--as=nowhere.toml"});
   EXPECT_EQ(missing.status, 2) << missing.said;

@@ -52,6 +52,22 @@ class Search : public ::testing::Test {
   tests::ScratchFolder scratch;
 };
 
+TEST_F(Search, FindsASourceAndSaysWhere) {
+  const Ended ended = search({"--world=" + path("room.toml")});
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(json("run/source.json").at("verdict"), "found");
+  EXPECT_EQ(json("run/source.json").at("truth").at("right"), true)
+      << json("run/source.json").dump();
+  EXPECT_THAT(ended.said, HasSubstr("a source of"));
+}
+
+TEST_F(Search, ShowsThatThereIsNone) {
+  const Ended ended = search({"--world=" + path("room.toml"), "--source=none"});
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_EQ(json("run/source.json").at("verdict"), "none");
+  EXPECT_EQ(json("run/source.json").at("truth").at("right"), true);
+}
+
 TEST_F(Search, EndsUnsureWhenItsTimeIsOver) {
   const Ended ended = search({"--world=" + path("room.toml"), "--source=none", "--seconds=3"});
   EXPECT_EQ(ended.status, kUnfinished) << ended.said;

@@ -108,10 +108,14 @@ class SearchingRobot {
              double step_s,
              std::mt19937& random,
              std::vector<FieldReading>& readings) {
+    if (counting_.dwell_s == 0.0) {
+      first_m_ = T_map_robot_.position_m();
+    }
     counting_.value += sample_poisson(rate * step_s, random);
     counting_.at_m += step_s * T_map_robot_.position_m();
     counting_.dwell_s += step_s;
-    if (counting_.dwell_s >= search_.reading_s - 1e-9) {
+    const double moved_m = (T_map_robot_.position_m() - first_m_).norm();
+    if (counting_.dwell_s >= search_.reading_s - 1e-9 || moved_m >= search_.reading_m - 1e-9) {
       counting_.at_m /= counting_.dwell_s;
       readings.push_back(counting_);
       counting_ = {};
@@ -122,6 +126,7 @@ class SearchingRobot {
   SourceSearch strategy_;
   Pose2 T_map_robot_;
   FieldReading counting_;
+  Eigen::Vector2d first_m_ = Eigen::Vector2d::Zero();  ///< Where that has begun.
   double now_s_ = 0.0;
   double driven_m_ = 0.0;
 };

@@ -16,8 +16,9 @@ struct OfflineSearch {
   /// One robot each. All of them have all readings.
   std::vector<geometry::Pose2> starts;
   std::uint32_t seed = 1;
-  /// A robot tells what it has counted so often.
-  double reading_s = 2.0;
+  /// A reading lasts so long at most, and leads no farther than this.
+  double reading_s = 1.0;
+  double reading_m = 0.2;
   double turn_rad_per_s = 2.0;
   double max_s = 3000.0;
 };

@@ -76,6 +76,34 @@ TEST(SourceReport, WithoutAnyMapIsUnsure) {
   EXPECT_THAT(ending.why, HasSubstr("nothing was read"));
 }
 
+TEST(SourceReport, SaysWhoOfAFleetHasFoundIt) {
+  const fleet_messages::SearchReport said{
+      source_search::SourceVerdict::kFound, 0.957, {9.0, 9.0}, 19.5, {}};
+  const RunEnding joined =
+      ending_of_search(drive_of("complete", ExitCode::kUnfinished),
+                       told_report({"robot1", said, Eigen::Vector2d(2.0, 1.0)}),
+                       kAfterSearch);
+  EXPECT_EQ(joined.code, ExitCode::kOk);
+  EXPECT_EQ(joined.outcome, "found");
+  EXPECT_THAT(joined.why, HasSubstr("robot1 has found a source of 19.5 pulses/s"));
+  EXPECT_THAT(joined.why, HasSubstr("(2.00, 1.00)"));
+  const RunEnding apart = ending_of_search(drive_of("complete", ExitCode::kOk),
+                                           told_report({"robot1", said, std::nullopt}),
+                                           kAfterSearch);
+  EXPECT_THAT(apart.why, HasSubstr("not joined to this one"));
+  EXPECT_TRUE(told_report({"robot1", said, std::nullopt}).at("best_m").is_null());
+}
+
+TEST(SourceReport, SaysWhoOfAFleetHasShownThatThereIsNone) {
+  const fleet_messages::SearchReport said{
+      source_search::SourceVerdict::kNone, 0.951, Eigen::Vector2d::Zero(), 0.0, {}};
+  const RunEnding ending = ending_of_search(drive_of("complete", ExitCode::kOk),
+                                            told_report({"robot2", said, std::nullopt}),
+                                            kAfterSearch);
+  EXPECT_EQ(ending.outcome, "none");
+  EXPECT_THAT(ending.why, HasSubstr("robot2 has shown that there is no source"));
+}
+
 class SourceReportFiles : public ::testing::Test {
  protected:
   Report with_truth(Report report, const std::string& sources) {

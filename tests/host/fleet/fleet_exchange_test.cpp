@@ -62,7 +62,7 @@ TEST(FleetExchange, GivesTheRobotItselfWhatAllOthersHave) {
   EXPECT_EQ(of_other->T_map_submaps[0].x_m(), 0.123);
 }
 
-TEST(FleetExchange, TellsPoseClaimsSourceReadingsAndAlignment) {
+TEST(FleetExchange, TellsPoseClaimsSourceReadingsSearchAndAlignment) {
   FleetOfRobots fleet;
   FleetExchange& r1 = fleet.add("r1");
   FleetExchange& r2 = fleet.add("r2");
@@ -71,6 +71,11 @@ TEST(FleetExchange, TellsPoseClaimsSourceReadingsAndAlignment) {
   r1.set_claims({{"r1", {3.0, 4.0}, 0.05, 2.0}});
   r1.set_alignment({{"r1", 0, {}, {}}, {"r2", 0, {1.0, 0.0, 0.0}, {}}});
   ASSERT_TRUE(r1.add_source_batch({0, {{10.0, {}, 12.0, 3.0}}}));
+  ASSERT_TRUE(r1.set_search({source_search::SourceVerdict::kNone,
+                             0.95,
+                             Eigen::Vector2d::Zero(),
+                             0.0,
+                             {{{3.0, 4.0}, 2.0}}}));
   fleet.run(5.0);
   const FleetRobot told = robot_in(r2.state(), "r1");
   ASSERT_TRUE(told.pose);
@@ -84,6 +89,15 @@ TEST(FleetExchange, TellsPoseClaimsSourceReadingsAndAlignment) {
   ASSERT_EQ(told.maps[0].source_batches->size(), 1U);
   EXPECT_EQ(told.maps[0].source_batches->at(0).readings[0].value, 12.0);
   EXPECT_EQ(robot_in(r1.state(), "r1").claims.size(), 1U) << "it knows of itself";
+  ASSERT_TRUE(told.search);
+  EXPECT_EQ(told.search->verdict, source_search::SourceVerdict::kNone);
+  EXPECT_EQ(told.search->plan.size(), 1U);
+  EXPECT_FALSE(robot_in(r1.state(), "r2").search) << "it does not search";
+  r1.leave();
+  fleet.run(2.0);
+  const FleetRobot left = robot_in(r2.state(), "r1");
+  EXPECT_EQ(left.search->verdict, source_search::SourceVerdict::kNone) << "its answer stays";
+  EXPECT_TRUE(left.search->plan.empty()) << "it reads no more";
 }
 
 TEST(FleetExchange, SendsAPoseOnceASecondAndSeldomAtRest) {

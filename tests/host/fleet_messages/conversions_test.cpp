@@ -191,6 +191,24 @@ TEST(FleetConversions, KeepClaims) {
   EXPECT_FALSE(to_message(std::vector<team_exploration::Claim>{{"r1", {0, 0}, -1.0, 0.0, ""}}, 1));
 }
 
+TEST(FleetConversions, KeepWhatASearchHasComeTo) {
+  const SearchReport report{
+      source_search::SourceVerdict::kFound, 0.962, {1.2, -0.3}, 19.5, {{{2.0, 0.5}, 3.25}}};
+  const auto message = to_message(report, 3);
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->map_number, 3);
+  const SearchReport back = to_search_report(*message);
+  EXPECT_EQ(back.verdict, source_search::SourceVerdict::kFound);
+  EXPECT_DOUBLE_EQ(back.probability, 0.962);
+  EXPECT_DOUBLE_EQ(back.at_m.x(), 1.2);
+  EXPECT_DOUBLE_EQ(back.at_m.y(), -0.3);
+  EXPECT_DOUBLE_EQ(back.strength, 19.5);
+  ASSERT_EQ(back.plan.size(), 1U);
+  EXPECT_DOUBLE_EQ(back.plan[0].at_m.x(), 2.0);
+  EXPECT_DOUBLE_EQ(back.plan[0].dwell_s, 3.25);
+  EXPECT_FALSE(to_message(SearchReport{{}, -1.0, Eigen::Vector2d::Zero(), 0.0, {}}, 0));
+}
+
 TEST(FleetConversions, KeepSourceReadings) {
   const SourceBatch batch{
       4, {{100.0004, {1.0, 2.0, 0.5}, 17.0, 3.0}, {103.25, {1.1, 2.0, 0.5}, 0.125, 0.0}}};

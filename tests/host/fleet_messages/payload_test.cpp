@@ -142,7 +142,7 @@ TEST(FleetPayload, SaysWhyItIsRefused) {
   EXPECT_EQ(outcome(decode(std::string(kMaxPayloadBytes + 1, '\x01'))), "too_large");
   EXPECT_EQ(with_byte(0, '\x02'), "unknown_version");
   EXPECT_EQ(with_byte(1, '\x00'), "unknown_kind");
-  EXPECT_EQ(with_byte(1, '\x0B'), "unknown_kind");
+  EXPECT_EQ(with_byte(1, '\x0C'), "unknown_kind");
   EXPECT_EQ(with_byte(2, '\x01'), "cannot_decompress");
   EXPECT_EQ(with_byte(2, '\x02'), "out_of_range") << "no such packing";
   EXPECT_EQ(with_byte(4, '/'), "out_of_range") << "no robot's name";

@@ -78,6 +78,7 @@ TEST(FleetTopic, IsNoOtherText) {
 TEST(FleetTopic, KeepsWhatALateJoinerNeeds) {
   EXPECT_TRUE(is_retained(TopicKind::kSubmap));
   EXPECT_TRUE(is_retained(TopicKind::kPresence));
+  EXPECT_TRUE(is_retained(TopicKind::kSearch));
   EXPECT_FALSE(is_retained(TopicKind::kPose)) << "a pose is of its moment";
   EXPECT_FALSE(is_retained(TopicKind::kAsk)) << "an old question is answered already";
 }
