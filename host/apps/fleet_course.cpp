@@ -151,7 +151,8 @@ RelativePoseError relative_pose_error(const Pose2& T_own_peer,
 
 std::optional<JudgedMap> judge_map(const team_map::RobotRecord& record,
                                    const std::vector<evaluation::TruePose>& truth,
-                                   const std::vector<Eigen::Vector2d>& floor_m) {
+                                   const std::vector<Eigen::Vector2d>& floor_m,
+                                   bool is_first_map) {
   const std::size_t stops = std::min(record.submaps.size(), record.T_map_submaps.size());
   if (stops == 0) {
     return std::nullopt;
@@ -164,12 +165,14 @@ std::optional<JudgedMap> judge_map(const team_map::RobotRecord& record,
   JudgedMap judged;
   judged.name = record.robot;
   judged.last_m = record.T_map_submaps[stops - 1].position_m();
+  const auto submaps = team_map::calibrated_turns(record.submaps);
   judged.T_world_map =
-      *T_world_end * T_map_end(record.submaps.front(), record.T_map_submaps.front()).inverse();
+      is_first_map
+          ? truth.front().T_world_robot
+          : *T_world_end * T_map_end(submaps.front(), record.T_map_submaps.front()).inverse();
   mapping::SonarMapperParams params = team_map::TeamMapParams().mapper;
   params.surfaces.beam_half_angle_rad = record.beam_half_angle_rad;
   team_map::MergedMapper mapper(params);
-  const auto submaps = team_map::calibrated_turns(record.submaps);
   for (std::size_t i = 1; i <= stops; ++i) {
     const auto count = static_cast<std::ptrdiff_t>(i);
     const auto placed =

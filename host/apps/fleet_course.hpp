@@ -26,12 +26,14 @@ struct JudgedMap {
   std::vector<std::vector<bool>> seen;
 };
 
-/// Where that map truly lies, by the true pose at the end of its first stop, and when it had which
-/// of the floor `floor_m`, given by the centres of its cells in the world frame. Poses of its graph
-/// are those of the end. Empty without a stop, or where the truth does not know the first one.
+/// Where that map truly lies, and when it had which of the floor `floor_m`, given by the centres of
+/// its cells in the world frame. A robot's first map lies where its truth begins, a later one by
+/// the true pose at the end of its first stop. Poses of its graph are those of the end. Empty
+/// without a stop, or where the truth does not know the first one.
 std::optional<JudgedMap> judge_map(const team_map::RobotRecord& record,
                                    const std::vector<evaluation::TruePose>& truth,
-                                   const std::vector<Eigen::Vector2d>& floor_m);
+                                   const std::vector<Eigen::Vector2d>& floor_m,
+                                   bool is_first_map);
 
 /// How far a place of one map in another is from the true one: of the peer's last stop, and of its
 /// heading without a sign.

@@ -113,7 +113,7 @@ std::vector<JudgedMap> judged_maps(const fleet::FleetState& state,
     for (const fleet::FleetMap& map : robot.maps) {
       team_map::RobotRecord record = *map.record;
       record.robot = fleet_member::map_name(robot.name, map.number);
-      if (auto one = judge_map(record, truth->trajectory, floor_m)) {
+      if (auto one = judge_map(record, truth->trajectory, floor_m, map.number == 0)) {
         judged.push_back(*std::move(one));
       }
     }

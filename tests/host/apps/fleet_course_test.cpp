@@ -111,7 +111,7 @@ TEST(FleetCourse, AMapLiesWhereTheTruthSaysThatItsFirstStopWas) {
   }
   const std::vector<Eigen::Vector2d> floor_m{
       T_world_map * (record.T_map_submaps.back() * Eigen::Vector2d(0.02, 0.0)), {50.0, 50.0}};
-  const auto judged = judge_map(record, truth, floor_m);
+  const auto judged = judge_map(record, truth, floor_m, false);
   ASSERT_TRUE(judged);
   EXPECT_NEAR((judged->T_world_map.position_m() - T_world_map.position_m()).norm(), 0.0, 1e-6);
   EXPECT_NEAR(judged->T_world_map.heading_rad(), 0.5, 1e-6);
@@ -119,8 +119,11 @@ TEST(FleetCourse, AMapLiesWhereTheTruthSaysThatItsFirstStopWas) {
   EXPECT_EQ(judged->seen.back(), std::vector<bool>({true, false}));
   EXPECT_EQ(judged->last_m, record.T_map_submaps.back().position_m());
   EXPECT_EQ(judged->stop_s.back(), record.submaps.back().end_s);
-  EXPECT_FALSE(judge_map(record, {}, floor_m)) << "no truth";
-  EXPECT_FALSE(judge_map({}, truth, floor_m)) << "no stop";
+  EXPECT_FALSE(judge_map(record, {}, floor_m, false)) << "no truth";
+  EXPECT_FALSE(judge_map({}, truth, floor_m, true)) << "no stop";
+  const Pose2 T_world_start(0.9, 2.0, 0.4);
+  truth.insert(truth.begin(), {time::robot_time(0.0), T_world_start});
+  EXPECT_EQ(judge_map(record, truth, floor_m, true)->T_world_map.x_m(), 0.9);
 }
 
 }  // namespace
