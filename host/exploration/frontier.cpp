@@ -51,7 +51,6 @@ void validate(const FrontierParams& params) {
       .positive("viewpoints.min_gain_m2", params.viewpoints.min_gain_m2)
       .positive("fine_gain_m2", params.fine_gain_m2)
       .at_least("enough_share", params.enough_share, 0.0)
-      .at_least("fine_gain_part", params.fine_gain_part, 0.0)
       .at_least("openings_apart_m", params.openings_apart_m, 0.0)
       .positive("openings.step_m", params.openings.step_m)
       .positive("openings.half_width_m", params.openings.half_width_m)
@@ -173,12 +172,7 @@ std::optional<Viewpoint> Frontier::choose_goal(const RasterMap& map,
     return opening;
   }
   goal_kind_ = IntentKind::kFrontier;
-  const double missing_m2 = this->missing_m2(known);
-  if (missing_m2 <= 0.0) {
-    return std::nullopt;
-  }
-  return choose_look(
-      map, known, std::max(params_.fine_gain_m2, params_.fine_gain_part * missing_m2));
+  return has_enough(known) ? std::nullopt : choose_look(map, known, params_.fine_gain_m2);
 }
 
 /// Of those that others have promised, the ones that this robot does not outbid are left to them.
@@ -223,13 +217,11 @@ std::vector<Viewpoint> Frontier::weigh(const RasterMap& map,
       navigator_.costs(), navigator_.travel(), frontiers, gain, T_map_robot, viewpoints);
 }
 
-/// Floor that is missing to enough_share, square metres.
-double Frontier::missing_m2(const pipeline::Snapshot& snapshot) const {
+bool Frontier::has_enough(const pipeline::Snapshot& snapshot) const {
   CoverageParams params;
   params.costs = params_.navigator.costs;
   params.gain = params_.gain;
-  const Coverage coverage = coverage_of(snapshot, params);
-  return params_.enough_share * (coverage.seen_m2 + coverage.unseen_m2) - coverage.seen_m2;
+  return coverage_of(snapshot, params).share() >= params_.enough_share;
 }
 
 /// The nearest that was not tried. The floor right behind it is supposed to be there, until

@@ -35,10 +35,8 @@ struct FrontierParams {
   /// Where no look promises viewpoints.min_gain_m2 and no opening is left, looks that promise less
   /// count as long as the map has less than this share of what the robot can reach.
   double enough_share = 0.97;
-  /// They have to promise at least so much, and at least such a part of what is missing for that
-  /// share: the last percents of a large room are not worth a hundred stops.
+  /// They have to promise at least so much, however much is missing: a door promises little.
   double fine_gain_m2 = 0.03;
-  double fine_gain_part = 0.1;
   /// An opening so near to one that was chosen before, or to a bump, is the same one.
   double openings_apart_m = 0.3;
   /// End after this many stops.
@@ -85,7 +83,7 @@ class Frontier final : public Explorer {
                                const ViewGain& gain,
                                double min_gain_m2) const;
   bool is_left_to_others(const Eigen::Vector2d& opening_m) const;
-  double missing_m2(const pipeline::Snapshot& snapshot) const;
+  bool has_enough(const pipeline::Snapshot& snapshot) const;
   std::optional<Viewpoint> choose_opening(const mapping::RasterMap& map,
                                           const pipeline::Snapshot& snapshot);
   bool was_tried(const Eigen::Vector2d& opening_m, const mapping::RasterMap& map) const;

@@ -29,6 +29,7 @@ RasterMap planning_map(const pipeline::Snapshot& snapshot, double margin_m, doub
   for (const Eigen::Vector2d& place_m : places_of(snapshot)) {
     if (map.cell_at(place_m) != last) {
       draw_disc(map, place_m, robot_radius_m, {CellState::kUnknown}, CellState::kFree);
+      draw_disc(map, place_m, map.resolution_m(), {CellState::kOccupied}, CellState::kFree);
       last = map.cell_at(place_m);
     }
   }

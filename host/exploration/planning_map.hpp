@@ -12,8 +12,9 @@
 
 namespace echomap::exploration {
 
-/// The map of a snapshot with `margin_m` of unknown floor around it, and with floor where it has
-/// none but the hull of the robot has been.
+/// The map of a snapshot with `margin_m` of unknown floor around it, and with floor where it knows
+/// none but the hull of the robot has been. Where the middle of the robot has been is floor even
+/// where a wall is drawn: walls on both sides of a door, heard from two rooms, may overlap in it.
 mapping::RasterMap planning_map(const pipeline::Snapshot& snapshot,
                                 double margin_m,
                                 double robot_radius_m);

@@ -44,13 +44,6 @@ bool differs(const std::optional<Claim>& one, const std::optional<Claim>& other,
 
 }  // namespace
 
-exploration::FrontierParams for_building(exploration::FrontierParams params) {
-  exploration::UnobservedWallParams& walls = params.gain.unobserved;
-  walls.max_distance_m = std::min(walls.max_distance_m, 1.3);
-  walls.floor_chance = 1.0;
-  return params;
-}
-
 TeamExplorer::TeamExplorer(TeamBoard& board, const TeamExplorerParams& params)
     : params_(params), frontier_(params.frontier), avoidance_(params.avoidance), board_(board) {
   geometry::ParameterValidator("team explorer")

@@ -29,11 +29,6 @@ struct TeamExplorerParams {
   double idle_s = 10.0;
 };
 
-/// What `frontier` goes by in a building, where the robot's own parameters are for a room. A gap in
-/// a wall is told from a door only where the beam is no wider than a door, 1.3 m away; a look from
-/// farther off is none. And it is worth a look even of few square metres: behind it is a room.
-exploration::FrontierParams for_building(exploration::FrontierParams params);
-
 /// Explores as one of a team, by `frontier`: decides by the map of all, leaves to others what they
 /// claim (after Burgard et al. 2005, with an auction that has no auctioneer), keeps off them and
 /// lets them pass. It has finished when the map of all is complete; while what is left is claimed

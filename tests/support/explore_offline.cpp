@@ -26,10 +26,13 @@ double median_of(const std::vector<OfflineRun>& runs, Figure figure) {
 
 void print_row(const char* name, const OfflineRun& run) {
   std::printf(
-      "%-12s iou %.3f  wall_rmse %.3f m  recall %.3f  stops %2zu  %4.0f s  bumps %d  ate %.3f m "
+      "%-12s iou %.3f  seen %.3f (claimed %.3f)  wall_rmse %.3f m  recall %.3f  stops %2zu  %4.0f "
+      "s  bumps %d  ate %.3f m "
       "%4.1f deg (odometry %.3f m %4.1f deg)  %s\n",
       name,
       run.agreement.free_iou,
+      run.floor_seen,
+      run.claimed_share,
       run.agreement.wall_rmse_m.value_or(-1.0),
       run.agreement.wall_recall,
       run.snapshot.stops,
@@ -44,9 +47,11 @@ void print_row(const char* name, const OfflineRun& run) {
 
 void print_medians(const std::vector<OfflineRun>& runs) {
   std::printf(
-      "median       iou %.3f  wall_rmse %.3f m  recall %.3f  stops %2.0f  %4.0f s  ate %.3f m "
+      "median       iou %.3f  seen %.3f  wall_rmse %.3f m  recall %.3f  stops %2.0f  %4.0f s  ate "
+      "%.3f m "
       "(odometry %.3f m)\n",
       median_of(runs, [](const auto& run) { return run.agreement.free_iou; }),
+      median_of(runs, [](const auto& run) { return run.floor_seen; }),
       median_of(runs, [](const auto& run) { return run.agreement.wall_rmse_m.value_or(1.0); }),
       median_of(runs, [](const auto& run) { return run.agreement.wall_recall; }),
       median_of(runs, [](const auto& run) { return static_cast<double>(run.snapshot.stops); }),
@@ -84,6 +89,7 @@ int main(int argc, char** argv) {
     runs.push_back(echomap::tests::explore_offline(room, robot, seed, settings));
     const std::string name = std::string("seed ") + std::to_string(seed);
     print_row(name.c_str(), runs.back());
+    std::fflush(stdout);
     if (argc > 6) {
       echomap::exports::RunSummary summary;
       echomap::exports::describe_snapshot(runs.back().snapshot, summary);

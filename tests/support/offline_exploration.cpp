@@ -8,7 +8,9 @@
 #include "hil_mock/world/floor_plan_file.hpp"
 #include "hil_mock/world/robot_file.hpp"
 #include "hil_mock/world/robot_world.hpp"
+#include "host/evaluation/floor_seen.hpp"
 #include "host/exploration/atlas_explorer.hpp"
+#include "host/exploration/coverage.hpp"
 #include "host/exploration/fault_watch.hpp"
 #include "host/exploration/frontier.hpp"
 #include "host/exploration/nxt_farthest.hpp"
@@ -20,6 +22,7 @@ namespace echomap::tests {
 namespace {
 
 constexpr double kTruthResolutionM = 0.01;
+constexpr std::size_t kManyStops = 500;
 
 std::string bundled(const std::string& folder, const std::string& name) {
   return std::string(ECHOMAP_SOURCE_DIR) + "/hil_mock/" + folder + "/" + name + ".toml";
@@ -31,6 +34,7 @@ std::unique_ptr<exploration::Explorer> explorer_for(const world::RobotParams& ro
   if (strategy == OfflineStrategy::kFrontier) {
     exploration::FrontierParams params;
     params.navigator.costs.robot_radius_m = robot.body.radius_m;
+    params.max_stops = kManyStops;
     return std::make_unique<exploration::Frontier>(params);
   }
   exploration::NxtFarthestParams params;
@@ -131,8 +135,15 @@ OfflineRun explore_offline(const world::FloorPlan& room,
       evaluation::score_trajectory(*run.snapshot.trajectory, offline_robot.true_path());
   run.odometry =
       evaluation::score_trajectory(offline_robot.odometry_path(), offline_robot.true_path());
-  run.agreement = evaluation::score_map(
-      mapping::rasterize(*run.snapshot.grid), world.plan().T_world_start(), truth_of(world.plan()));
+  const auto map = mapping::rasterize(*run.snapshot.grid);
+  const auto truth = truth_of(world.plan());
+  const auto& T_world_start = world.plan().T_world_start();
+  run.agreement = evaluation::score_map(map, T_world_start, truth);
+  run.floor_seen = evaluation::floor_seen(
+      map, T_world_start, truth.cells, T_world_start.position_m(), robot.body.radius_m);
+  exploration::CoverageParams coverage;
+  coverage.costs.robot_radius_m = robot.body.radius_m;
+  run.claimed_share = exploration::coverage_of(run.snapshot, coverage).share();
   return run;
 }
 

@@ -23,6 +23,8 @@ struct OfflineRun {
   std::size_t previous_maps = 0;  ///< That were not joined.
   std::size_t joins = 0;
   evaluation::MapAgreement agreement;
+  double floor_seen = 0.0;     ///< Share of the floor in reach, in truth.
+  double claimed_share = 0.0;  ///< The same as the map itself tells it.
   exploration::FinishReason reason = exploration::FinishReason::kStopLimit;
   double sim_seconds = 0.0;
   int bumps = 0;

@@ -141,8 +141,7 @@ pipeline::RobotPipeline pipeline_of(const world::RobotParams& robot) {
 }
 
 team_exploration::TeamExplorerParams explorer_params(const world::RobotParams& robot,
-                                                     const std::string& name,
-                                                     const OfflineTeamSettings& settings) {
+                                                     const std::string& name) {
   team_exploration::TeamExplorerParams params;
   const double radius_m = robot.body.radius_m;
   params.frontier.navigator.costs.robot_radius_m = radius_m;
@@ -151,9 +150,6 @@ team_exploration::TeamExplorerParams explorer_params(const world::RobotParams& r
   params.avoidance.navigator = params.frontier.navigator;
   params.avoidance.guard.robot_radius_m = radius_m;
   params.avoidance.aside.costs.robot_radius_m = radius_m;
-  if (settings.tune) {
-    settings.tune(params);
-  }
   return params;
 }
 
@@ -176,7 +172,7 @@ Member::Member(Team& all, std::size_t i, const world::FloorPlan& room, std::uint
       echo);
   robot.emplace(world, geometry, *filter);
   robot->look_around_on_the_way();
-  explorer.emplace(*this, explorer_params(all.robot, name, all.settings));
+  explorer.emplace(*this, explorer_params(all.robot, name));
   poses.tell(0.0, {});
   scans.tell(0.0, 0);
 }

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,7 +10,7 @@
 #include "hil_mock/world/robot_params.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/geometry/pose2.hpp"
-#include "host/team_exploration/team_explorer.hpp"
+#include "host/team_exploration/avoidance.hpp"
 
 namespace echomap::tests {
 
@@ -26,8 +25,6 @@ struct OfflineTeamSettings {
   /// The run ends where a map has this share of the floor, when all have finished, or then.
   double enough_share = 0.9;
   double max_s = 7200.0;
-  /// Changes what the robots go by; empty for nothing.
-  std::function<void(team_exploration::TeamExplorerParams&)> tune;
 };
 
 /// What became of one of them.

@@ -43,14 +43,12 @@ void print_run(const char* room,
 
 }  // namespace
 
-/// team_offline ROOM ROBOTS FIRST LAST [KNOWN_S [SHARE [MAX_S [building]]]]: so many robots explore
+/// team_offline ROOM ROBOTS FIRST LAST [KNOWN_S [SHARE [MAX_S]]]: so many robots explore
 /// a room together, for the seeds FIRST .. LAST, until a map has SHARE of the floor. Frames are
 /// known from KNOWN_S on. The starts of a seed are those of 4 robots, of which the first take part.
 int main(int argc, char** argv) {
   if (argc < 5) {
-    std::fprintf(
-        stderr,
-        "usage: team_offline ROOM ROBOTS FIRST LAST [KNOWN_S [SHARE [MAX_S [building]]]]\n");
+    std::fprintf(stderr, "usage: team_offline ROOM ROBOTS FIRST LAST [KNOWN_S [SHARE [MAX_S]]]\n");
     return 2;
   }
   constexpr double kApartM = 2.0;
@@ -62,11 +60,6 @@ int main(int argc, char** argv) {
   settings.frames_known_s = argc > 5 ? std::strtod(argv[5], nullptr) : 0.0;
   settings.enough_share = argc > 6 ? std::strtod(argv[6], nullptr) : settings.enough_share;
   settings.max_s = argc > 7 ? std::strtod(argv[7], nullptr) : settings.max_s;
-  if (argc > 8) {
-    settings.tune = [](auto& params) {
-      params.frontier = echomap::team_exploration::for_building(params.frontier);
-    };
-  }
   for (auto seed = static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10)); seed <= last;
        ++seed) {
     auto starts = echomap::tests::team_starts(room, 4, kApartM, seed);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/exploration/travel_field.hpp"
 #include "tests/support/told_snapshot.hpp"
 
 namespace echomap::exploration {
@@ -26,6 +27,27 @@ TEST(PlanningMap, HasUnknownFloorAroundItAndFloorUnderTheRobot) {
   EXPECT_EQ(map.state(map.cell_at({1.225, 0.025})), CellState::kUnknown);
   EXPECT_TRUE(map.contains(map.cell_at({-0.45, 0.45})));
   EXPECT_EQ(map.state(map.cell_at({-0.45, 0.45})), CellState::kUnknown);
+}
+
+TEST(PlanningMap, HasFloorWhereTheRobotHasDrivenThroughAWall) {
+  OccupancyGrid grid;
+  for (int y = -20; y <= 20; ++y) {
+    for (int x = -20; x <= 20; ++x) {
+      grid.add({x, y}, x == 0 ? 300 : -300);
+    }
+  }
+  std::vector<pipeline::StampedPose> way;
+  for (int i = 0; i <= 24; ++i) {
+    way.push_back(tests::pose_at(i, {-0.6 + 0.05 * i, 0.025, 0.0}));
+  }
+  const auto snapshot = tests::snapshot_of(std::move(grid), way);
+  const RasterMap map = planning_map(snapshot, 0.1, 0.09);
+  EXPECT_EQ(map.state(map.cell_at({0.025, 0.025})), CellState::kFree);
+  EXPECT_EQ(map.state(map.cell_at({0.025, 0.225})), CellState::kOccupied) << "beside its way";
+  const CostGrid costs = costs_on(map, snapshot, {});
+  TravelField travel;
+  travel.search(costs, costs.cell_at(way.back().T_map_robot.position_m()));
+  EXPECT_TRUE(travel.reaches(costs.cell_at(way.front().T_map_robot.position_m())));
 }
 
 TEST(CostsOn, AreOpenWhereTheRobotHasBeen) {

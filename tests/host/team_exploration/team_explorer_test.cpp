@@ -194,21 +194,6 @@ TEST_F(TeamExplorerTest, APeerThatItRunsIntoIsNoObstacleOfTheRoom) {
   EXPECT_LT((board.claims.back()->at_m - before.at_m).norm(), 1.0) << "straight on";
 }
 
-TEST_F(TeamExplorerTest, InABuildingAGapInAWallIsALookWorth) {
-  const exploration::FrontierParams room;
-  const auto building = for_building(room);
-  const geometry::Segment door{{0.0, 0.0}, {0.7, 0.0}};
-  const auto worth_m2 = [&](const exploration::FrontierParams& params) {
-    return exploration::unobserved_walls({door}, params.gain.depth_m, params.gain.unobserved)
-        .front()
-        .floor_m2;
-  };
-  EXPECT_LT(worth_m2(room), room.viewpoints.min_gain_m2);
-  EXPECT_GT(worth_m2(building), building.viewpoints.min_gain_m2);
-  const double half_door_m = building.gain.unobserved.max_distance_m * std::tan(0.2269);
-  EXPECT_LT(2.0 * half_door_m, 0.7) << "the beam is no wider than the door";
-}
-
 TEST_F(TeamExplorerTest, RejectsParametersWithoutSense) {
   auto params = member("a");
   params.reach_m = 0.0;
