@@ -15,6 +15,7 @@
 #include "host/session/robot_context.hpp"
 #include "host/team_exploration/peer_echo_filter.hpp"
 #include "host/team_exploration/team_board.hpp"
+#include "host/team_exploration/unplaced_peers.hpp"
 #include "host/team_map/submap_recorder.hpp"
 
 namespace echomap::fleet_member {
@@ -24,6 +25,7 @@ struct FleetMemberParams {
   fleet::FleetExchangeParams exchange;
   team_map::TeamMapParams team;
   team_exploration::PeerEchoParams echoes;
+  team_exploration::UnplacedPeerParams unplaced;
   /// Messages are exchanged at whole multiples of this, seconds of the session's time.
   double exchange_period_s = 0.1;
   /// A peer that drives may be so much farther from where it told to be, for each second since,
@@ -68,6 +70,7 @@ class FleetMember final : public team_exploration::TeamBoard {
   const fleet::FleetExchange& fleet() const { return exchange_; }
   const TeamPicture& picture() const { return picture_; }
   const team_exploration::PeerEchoFilter& echoes() const { return filter_; }
+  const team_exploration::UnplacedPeerFilter& unplaced_echoes() const { return unplaced_filter_; }
 
  private:
   void step();
@@ -77,12 +80,15 @@ class FleetMember final : public team_exploration::TeamBoard {
   void look();
   /// Those that may stand in the sonar's beam now.
   std::vector<team_exploration::Peer> peers() const;
+  /// What an echo is weighed by while it is not known where others are.
+  team_exploration::UnplacedPeerFilter::Surroundings surroundings() const;
 
   session::RobotContext& robot_;
   FleetMemberParams params_;
   fleet::FleetExchange exchange_;
   TeamPicture picture_;
   pipeline::ObservationFork behind_filter_;
+  team_exploration::UnplacedPeerFilter unplaced_filter_;
   team_exploration::PeerEchoFilter filter_;
   std::unique_ptr<team_map::SubmapRecorder> recorder_;
   session::RobotContext::StepListener listener_;

@@ -57,10 +57,40 @@ void MapJoin::look(const RobotMap& first, const RobotMap& second) {
   agreeing_ = agrees ? agreeing_ + 1 : 1;
   candidate_ = best;
   if (agreeing_ >= params_.agreeing_looks) {
-    joined_ = best;
-    contradicting_ = 0;
-    ++joins_;
+    join(best);
   }
+}
+
+void MapJoin::join(const geometry::Pose2& T_first_second) {
+  joined_ = T_first_second;
+  contradicting_ = 0;
+  ++joins_;
+}
+
+void MapJoin::undo() {
+  if (joined_) {
+    joined_.reset();
+    ++undone_;
+  }
+  agreeing_ = 0;
+  contradicting_ = 0;
+}
+
+void MapJoin::try_at(const RobotMap& first,
+                     const RobotMap& second,
+                     const geometry::Pose2& T_first_second) {
+  const geometry::Pose2 refined = refined_placement(first, second, T_first_second);
+  const MapEvidence evidence = evidence_for(first, second, refined);
+  const bool stays = slam::is_near(T_first_second, refined, params_.same_m, params_.same_rad);
+  judged_ = {{refined, evidence, 0.0}};
+  agreeing_ = 0;
+  if (stays && is_sure()) {
+    join(refined);
+    return;
+  }
+  const bool speaks_against = evidence.readings >= params_.min_readings &&
+                              evidence.loss_per_reading() > params_.undone_loss;
+  contradicting_ = speaks_against ? contradicting_ + 1 : 0;
 }
 
 bool MapJoin::is_sure() const {
@@ -105,9 +135,7 @@ void MapJoin::check(const RobotMap& first, const RobotMap& second) {
   if (holds) {
     joined_ = refined;
   } else if (contradicting_ >= params_.undoing_looks) {
-    joined_.reset();
-    agreeing_ = 0;
-    ++undone_;
+    undo();
   }
 }
 

@@ -64,10 +64,20 @@ class MapJoin {
   /// Looks for the second robot's map in that of the first, or checks the join that there is.
   void update(const RobotMap& first, const RobotMap& second);
 
+  /// The same where others tell how the two lie to each other: joins them there if their readings
+  /// are sure of it, too.
+  void try_at(const RobotMap& first, const RobotMap& second, const geometry::Pose2& T_first_second);
+  /// Whether the last tries in a row, as many as undo a join, spoke against that place.
+  bool is_contradicted() const { return contradicting_ >= params_.undoing_looks; }
+  /// Takes the join back: something else has contradicted it.
+  void undo();
+
   /// From the second robot's map to the first one's; empty while it is not known.
   const std::optional<geometry::Pose2>& T_first_second() const { return joined_; }
   /// What was judged last, the best first; of a join, that alone.
   const std::vector<JudgedPlacement>& judged() const { return judged_; }
+  /// What speaks for the join, as of the last look (MapEvidence::weight).
+  double weight() const { return judged_.empty() ? 0.0 : judged_.front().evidence.weight(); }
   std::size_t joins() const { return joins_; }
   /// How often a join was contradicted later.
   std::size_t undone() const { return undone_; }
@@ -75,6 +85,7 @@ class MapJoin {
  private:
   void look(const RobotMap& first, const RobotMap& second);
   void check(const RobotMap& first, const RobotMap& second);
+  void join(const geometry::Pose2& T_first_second);
   bool is_sure() const;
   bool has_rival() const;
   bool is_alone_by_walls() const;

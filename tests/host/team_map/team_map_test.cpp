@@ -118,6 +118,37 @@ TEST_F(TeamMapTest, ReachesARobotByWayOfAnother) {
   EXPECT_NEAR(team.relative_pose("a", "c")->T_own_peer.x_m(), T_a_b.x_m(), 0.05);
 }
 
+TEST_F(TeamMapTest, AsksTheReadingsOfMapsThatAreJoinedByWayOfAnother) {
+  RobotRecord c = b;
+  c.robot = "c";
+  team.tell({"a", "b", {T_a_b, 0.02, 0.02}});
+  team.tell({"b", "c", {Pose2(), 0.02, 0.02}});
+  team.take(a);
+  team.take(b);
+  team.take(tests::first_stops(c, 7));
+  team.update();
+  EXPECT_EQ(team.counts().joins, 0U);
+  team.take(c);
+  team.update();
+  EXPECT_EQ(team.counts().joins, 1U) << "a and c at once, for they are where they should be";
+}
+
+TEST_F(TeamMapTest, UndoesAJoinThatACycleContradicts) {
+  RobotRecord c = b;
+  c.robot = "c";
+  meet();
+  team.take(tests::first_stops(c, 7));
+  team.update();
+  team.take(c);
+  team.update();
+  ASSERT_EQ(team.components().size(), 1U);
+  ASSERT_EQ(team.counts().undone, 0U);
+  team.tell({"a", "b", {T_a_b * Pose2(0.0, 0.0, 3.0), 0.02, 0.02}});
+  team.update();
+  EXPECT_EQ(team.counts().undone, 1U) << "what somebody tells outweighs readings";
+  EXPECT_EQ(team.components().size(), 1U);
+}
+
 TEST(TeamMapParams, AreCheckedOnce) {
   TeamMapParams params;
   params.joining.judged = 0;
