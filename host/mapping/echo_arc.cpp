@@ -7,7 +7,9 @@
 
 namespace echomap::mapping {
 
-EchoArc arc_of(const PlacedReading& reading, const OccupancyGrid& map, const ScanCheckParams& params) {
+EchoArc arc_of(const PlacedReading& reading,
+               const OccupancyGrid& map,
+               const ScanCheckParams& params) {
   const double step_m = 0.5 * map.resolution_m();
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only echoes are asked about
   const double near_m = *reading.range_m - params.tolerance_m;

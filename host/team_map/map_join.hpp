@@ -12,12 +12,8 @@
 
 namespace echomap::team_map {
 
-/// When the maps of two robots are joined, and when they are taken apart again; ours, chosen in
-/// simulated rooms (docs/algorithms/team_map.md).
-struct MapJoinParams {
-  mapping::MapPlacementParams placement;
-  /// Of the placements that walls and floor speak for, so many of the best are judged by readings.
-  std::size_t judged = 4;
+/// When a look at two maps is sure; ours, chosen in simulated rooms (docs/algorithms/team_map.md).
+struct SureEvidence {
   /// A placement is sure that explains the readings about as well as each map its own: so much is
   /// lost at most of the log-likelihood of a reading,
   double max_loss = 0.4;
@@ -31,15 +27,36 @@ struct MapJoinParams {
   double max_range_rms_m = 0.033;
   /// such a share of its weight at most speaks for any other place, by readings,
   double max_rival_share = 0.6;
-  /// and by walls (mapping::MapPlacement), of which it has the most.
-  double max_rival_wall_share = 0.85;
+  /// and by walls (mapping::MapPlacement): large maps overlap by chance, so that another place may
+  /// have a little more of them.
+  double max_rival_wall_share = 1.1;
   /// Where walls leave no other place, as mapping::sure_placement asks, readings may agree less.
   double max_loss_by_walls = 0.6;
   double max_range_rms_by_walls_m = 0.037;
-  /// So many looks in a row agree on it, within same_m and same_rad.
+};
+
+/// When the maps of two robots are joined, and when they are taken apart again; ours as well.
+struct MapJoinParams {
+  mapping::MapPlacementParams placement;
+  /// So many of the best placements by walls and floor are judged by readings, of the whole maps
+  /// and of the last stops of either (propose_placements).
+  std::size_t proposed = 6;
+  /// So many looks in a row agree on it, within same_m and same_rad,
+  SureEvidence sure;
   std::size_t agreeing_looks = 2;
   double same_m = 0.3;
   double same_rad = 0.17;
+  /// or one look has evidence that is as good as this.
+  SureEvidence sure_at_once{.max_loss = 0.3,
+                            .min_readings = 900,
+                            .min_gain = 1500.0,
+                            .min_matched = 40,
+                            .min_matched_share = 0.5,
+                            .max_range_rms_m = 0.03,
+                            .max_rival_share = 0.5,
+                            .max_rival_wall_share = 1.1,
+                            .max_loss_by_walls = 0.3,
+                            .max_range_rms_by_walls_m = 0.03};
   /// A join is undone that loses more than this of a reading, so many looks in a row.
   double undone_loss = 0.8;
   std::size_t undoing_looks = 2;
@@ -86,8 +103,8 @@ class MapJoin {
   void look(const RobotMap& first, const RobotMap& second);
   void check(const RobotMap& first, const RobotMap& second);
   void join(const geometry::Pose2& T_first_second);
-  bool is_sure() const;
-  bool has_rival() const;
+  bool is_sure(const SureEvidence& sure) const;
+  bool has_rival(const SureEvidence& sure) const;
   bool is_alone_by_walls() const;
 
   MapJoinParams params_;

@@ -143,6 +143,7 @@ TEST_F(TeamMapTest, UndoesAJoinThatACycleContradicts) {
   team.update();
   ASSERT_EQ(team.components().size(), 1U);
   ASSERT_EQ(team.counts().undone, 0U);
+  ASSERT_EQ(team.counts().joins, 3U);
   team.tell({"a", "b", {T_a_b * Pose2(0.0, 0.0, 3.0), 0.02, 0.02}});
   team.update();
   EXPECT_EQ(team.counts().undone, 1U) << "what somebody tells outweighs readings";
@@ -151,7 +152,7 @@ TEST_F(TeamMapTest, UndoesAJoinThatACycleContradicts) {
 
 TEST(TeamMapParams, AreCheckedOnce) {
   TeamMapParams params;
-  params.joining.judged = 0;
+  params.joining.proposed = 0;
   EXPECT_THROW(TeamMap{params}, std::invalid_argument);
 }
 
