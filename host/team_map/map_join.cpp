@@ -5,7 +5,6 @@
 
 #include "host/geometry/parameter_validator.hpp"
 #include "host/slam/stop_stand.hpp"
-#include "host/team_map/map_proposals.hpp"
 
 namespace echomap::team_map {
 
@@ -23,7 +22,7 @@ void validate(const SureEvidence& sure) {
 
 void validate(const MapJoinParams& params) {
   geometry::ParameterValidator("map join")
-      .positive("proposed", params.proposed)
+      .positive("judged", params.judged)
       .positive("agreeing_looks", params.agreeing_looks)
       .positive("same_m", params.same_m)
       .positive("same_rad", params.same_rad)
@@ -40,7 +39,10 @@ void MapJoin::update(const RobotMap& first, const RobotMap& second) {
 void MapJoin::look(const RobotMap& first, const RobotMap& second) {
   judged_.clear();
   for (const mapping::MapPlacement& placement :
-       propose_placements(first, second, params_.placement, params_.proposed)) {
+       mapping::find_placements(first.map(), second.map(), params_.placement)) {
+    if (judged_.size() == params_.judged) {
+      break;
+    }
     const geometry::Pose2 refined = refined_placement(first, second, placement.T_previous_later);
     if (std::none_of(judged_.begin(), judged_.end(), [&](const JudgedPlacement& other) {
           return slam::is_near(refined, other.T_first_second, params_.same_m, params_.same_rad);

@@ -38,9 +38,8 @@ struct SureEvidence {
 /// When the maps of two robots are joined, and when they are taken apart again; ours as well.
 struct MapJoinParams {
   mapping::MapPlacementParams placement;
-  /// So many of the best placements by walls and floor are judged by readings, of the whole maps
-  /// and of the last stops of either (propose_placements).
-  std::size_t proposed = 6;
+  /// Of the placements that walls and floor speak for, so many of the best are judged by readings.
+  std::size_t judged = 6;
   /// So many looks in a row agree on it, within same_m and same_rad,
   SureEvidence sure;
   std::size_t agreeing_looks = 2;

@@ -12,9 +12,6 @@ namespace {
 
 using geometry::Pose2;
 
-/// Stops of a window: as many as it takes to know a room.
-constexpr std::ptrdiff_t kWindowStops = 4;
-
 bool are_same(const std::vector<Pose2>& some, const std::vector<Pose2>& others) {
   return std::equal(
       some.begin(), some.end(), others.begin(), others.end(), [](const auto& a, const auto& b) {
@@ -46,25 +43,8 @@ bool RobotMap::take(RobotRecord record) {
   }
   mapper_->take(placed_.scans, positions_m(placed_.T_map_way));
   map_.emplace(mapping::rasterize(mapper_->grid()));
-  make_window();
   find_features();
   return known > 0;
-}
-
-void RobotMap::make_window() {
-  const auto all = static_cast<std::ptrdiff_t>(placed_.scans.size());
-  window_.reset();
-  if (all <= kWindowStops) {
-    return;
-  }
-  const std::vector<mapping::Scan> last(placed_.scans.end() - kWindowStops, placed_.scans.end());
-  std::vector<Eigen::Vector2d> stops_m;
-  for (std::ptrdiff_t i = all - kWindowStops; i < all; ++i) {
-    stops_m.push_back(record_.T_map_submaps[static_cast<std::size_t>(i)].position_m());
-  }
-  mapping::SonarMapper mapper(params_);
-  mapper.take(last, stops_m);
-  window_.emplace(mapping::rasterize(mapper.grid()));
 }
 
 void RobotMap::find_features() {

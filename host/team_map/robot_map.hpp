@@ -36,10 +36,6 @@ class RobotMap {
   /// There must be a submap; so for all below.
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): take() has set it
   const mapping::PlaceableMap& map() const { return *map_; }
-  /// The map of the last stops alone, in the same frame; where there are more of them in all.
-  bool has_window() const { return window_.has_value(); }
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): has_window() tells
-  const mapping::PlaceableMap& window() const { return *window_; }
   /// What each submap has seen, in the frame of its first reading: as long as the robot tells it.
   const std::vector<mapping::ScanSurfaces>& surfaces() const { return surfaces_; }
   /// The same on the map.
@@ -54,7 +50,6 @@ class RobotMap {
   const std::vector<std::vector<double>>& own_log_likelihoods() const { return own_; }
 
  private:
-  void make_window();
   void find_features();
 
   mapping::SonarMapperParams params_;
@@ -63,7 +58,6 @@ class RobotMap {
   PlacedSubmaps placed_;
   std::optional<mapping::SonarMapper> mapper_;
   std::optional<mapping::PlaceableMap> map_;
-  std::optional<mapping::PlaceableMap> window_;
   std::vector<mapping::ScanSurfaces> surfaces_;
   std::vector<mapping::ScanSurfaces> placed_surfaces_;
   mapping::MatchedSurfaces features_;

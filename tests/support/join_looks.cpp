@@ -11,7 +11,6 @@
 #include "host/geometry/angle.hpp"
 #include "host/mapping/map_placement.hpp"
 #include "host/team_map/map_evidence.hpp"
-#include "host/team_map/map_proposals.hpp"
 #include "host/team_map/robot_map.hpp"
 #include "tests/support/team_recording.hpp"
 
@@ -25,7 +24,7 @@ using echomap::tests::TeamRecording;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kRobots = 4;
-constexpr std::size_t kJudged = 6;
+constexpr std::size_t kJudged = 10;
 
 /// Floor that both maps have where they truly lie.
 double shared_m2(const RobotMap& first, const RobotMap& second, const Pose2& T_first_second) {
@@ -70,8 +69,9 @@ void look(const std::string& label,
   const double own_m = error_m(team[a].T_world_start, maps[a].T_map_submaps(), team[a]) +
                        error_m(team[b].T_world_start, maps[b].T_map_submaps(), team[b]);
   const auto begin = Clock::now();
-  auto found = echomap::team_map::propose_placements(maps[a], maps[b], {}, kJudged);
+  auto found = echomap::mapping::find_placements(maps[a].map(), maps[b].map());
   const double find_ms = ms_since(begin);
+  found.resize(std::min(found.size(), kJudged));
   // Truth itself, to see what a look could find.
   auto truth = found.empty() ? echomap::mapping::MapPlacement{} : found.front();
   truth.T_previous_later = T_true;

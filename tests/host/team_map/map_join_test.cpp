@@ -99,7 +99,7 @@ TEST_F(MapJoinTest, JoinsAtOnceWhereOthersTellItAndReadingsAreSure) {
 TEST_F(MapJoinTest, KnowsThatReadingsSpeakAgainstWhatOthersTell) {
   stop(8);
   const Pose2 T_wrong =
-      tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0) * Pose2(0.5, 0.3, 0.4);
+      tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0) * Pose2(0.1, 0.1, 0.35);
   join.try_at(first, second, T_wrong);
   EXPECT_FALSE(join.is_contradicted()) << "one look is not enough";
   join.try_at(first, second, T_wrong);
