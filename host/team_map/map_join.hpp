@@ -39,7 +39,7 @@ struct SureEvidence {
 struct MapJoinParams {
   mapping::MapPlacementParams placement;
   /// Of the placements that walls and floor speak for, so many of the best are judged by readings.
-  std::size_t judged = 6;
+  std::size_t judged = 4;
   /// So many looks in a row agree on it, within same_m and same_rad,
   SureEvidence sure;
   std::size_t agreeing_looks = 2;
