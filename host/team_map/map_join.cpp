@@ -17,7 +17,7 @@ void validate(const SureEvidence& sure) {
       .at_least("max_loss_by_walls", sure.max_loss_by_walls, sure.max_loss)
       .at_least("max_range_rms_by_walls_m", sure.max_range_rms_by_walls_m, sure.max_range_rms_m)
       .within("max_rival_share", sure.max_rival_share, 0.0, 1.0)
-      .positive("max_rival_wall_share", sure.max_rival_wall_share);
+      .within("max_rival_wall_share", sure.max_rival_wall_share, 0.0, 1.0);
 }
 
 void validate(const MapJoinParams& params) {
@@ -29,7 +29,6 @@ void validate(const MapJoinParams& params) {
       .at_least("undone_loss", params.undone_loss, params.sure.max_loss_by_walls)
       .positive("undoing_looks", params.undoing_looks);
   validate(params.sure);
-  validate(params.sure_at_once);
 }
 
 void MapJoin::update(const RobotMap& first, const RobotMap& second) {
@@ -62,7 +61,7 @@ void MapJoin::look(const RobotMap& first, const RobotMap& second) {
       agreeing_ > 0 && slam::is_near(*candidate_, best, params_.same_m, params_.same_rad);
   agreeing_ = agrees ? agreeing_ + 1 : 1;
   candidate_ = best;
-  if (agreeing_ >= params_.agreeing_looks || is_sure(params_.sure_at_once)) {
+  if (agreeing_ >= params_.agreeing_looks) {
     join(best);
   }
 }

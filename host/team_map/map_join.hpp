@@ -27,9 +27,8 @@ struct SureEvidence {
   double max_range_rms_m = 0.033;
   /// such a share of its weight at most speaks for any other place, by readings,
   double max_rival_share = 0.6;
-  /// and by walls (mapping::MapPlacement): large maps overlap by chance, so that another place may
-  /// have a little more of them.
-  double max_rival_wall_share = 1.1;
+  /// and by walls (mapping::MapPlacement), of which it has the most.
+  double max_rival_wall_share = 0.85;
   /// Where walls leave no other place, as mapping::sure_placement asks, readings may agree less.
   double max_loss_by_walls = 0.6;
   double max_range_rms_by_walls_m = 0.037;
@@ -40,22 +39,11 @@ struct MapJoinParams {
   mapping::MapPlacementParams placement;
   /// Of the placements that walls and floor speak for, so many of the best are judged by readings.
   std::size_t judged = 4;
-  /// So many looks in a row agree on it, within same_m and same_rad,
+  /// So many looks in a row agree on it, within same_m and same_rad.
   SureEvidence sure;
   std::size_t agreeing_looks = 2;
   double same_m = 0.3;
   double same_rad = 0.17;
-  /// or one look has evidence that is as good as this.
-  SureEvidence sure_at_once{.max_loss = 0.3,
-                            .min_readings = 900,
-                            .min_gain = 1500.0,
-                            .min_matched = 40,
-                            .min_matched_share = 0.5,
-                            .max_range_rms_m = 0.03,
-                            .max_rival_share = 0.5,
-                            .max_rival_wall_share = 1.1,
-                            .max_loss_by_walls = 0.3,
-                            .max_range_rms_by_walls_m = 0.03};
   /// A join is undone that loses more than this of a reading, so many looks in a row.
   double undone_loss = 0.8;
   std::size_t undoing_looks = 2;

@@ -125,7 +125,7 @@ TEST(MapJoinParams, RefusesInvalidOnes) {
   params.undone_loss = 0.5 * params.sure.max_loss;
   EXPECT_THROW(validate(params), std::invalid_argument);
   params = {};
-  params.sure_at_once.min_gain = 0.0;
+  params.sure.min_gain = 0.0;
   EXPECT_THROW(validate(params), std::invalid_argument);
   params = {};
   params.agreeing_looks = 0;
