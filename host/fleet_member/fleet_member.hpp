@@ -70,7 +70,6 @@ class FleetMember final : public team_exploration::TeamBoard {
   const fleet::FleetExchange& fleet() const { return exchange_; }
   const TeamPicture& picture() const { return picture_; }
   const team_exploration::PeerEchoFilter& echoes() const { return filter_; }
-  const team_exploration::UnplacedPeerFilter& unplaced_echoes() const { return unplaced_filter_; }
 
  private:
   void step();
