@@ -30,8 +30,13 @@ FleetMember::FleetMember(session::RobotContext& robot,
       params_(params),
       exchange_(bus, params.exchange),
       picture_(params.team),
-      filter_(
+      unplaced_filter_(
           behind_filter_,
+          robot.profile().geometry,
+          [this] { return surroundings(); },
+          params.unplaced),
+      filter_(
+          unplaced_filter_,
           robot.profile().geometry,
           [this] { return robot_.atlas().pipeline().pose_estimate().T_map_robot; },
           [this](time::RobotTime /*stamp*/) { return peers(); },
@@ -147,6 +152,18 @@ std::vector<Peer> FleetMember::peers() const {
         params_.peer_drift_m_per_s * std::min(peer.age_s, params_.peer_drift_s);
   }
   return peers;
+}
+
+team_exploration::UnplacedPeerFilter::Surroundings FleetMember::surroundings() const {
+  const std::string map = map_name(params_.exchange.robot, exchange_.map_number());
+  const auto unplaced = std::count_if(
+      state_.robots.begin(), state_.robots.end(), [&](const fleet::FleetRobot& robot) {
+        return robot.name != params_.exchange.robot && !picture_.relative_pose(map, robot);
+      });
+  const pipeline::RobotPipeline& pipeline = robot_.atlas().pipeline();
+  return {pipeline.pose_estimate().T_map_robot,
+          pipeline.snapshot().grid,
+          static_cast<std::size_t>(unplaced)};
 }
 
 void FleetMember::claim(const std::optional<Claim>& claim) {

@@ -18,6 +18,7 @@
 #include "host/session/robot_context.hpp"
 #include "host/team_exploration/peer_echo_filter.hpp"
 #include "host/team_exploration/team_board.hpp"
+#include "host/team_exploration/unplaced_peers.hpp"
 #include "host/team_map/submap_recorder.hpp"
 
 namespace echomap::fleet_member {
@@ -27,6 +28,7 @@ struct FleetMemberParams {
   fleet::FleetExchangeParams exchange;
   team_map::TeamMapParams team;
   team_exploration::PeerEchoParams echoes;
+  team_exploration::UnplacedPeerParams unplaced;
   /// Messages are exchanged at whole multiples of this, seconds of the session's time.
   double exchange_period_s = 0.1;
   /// A peer that drives may be so much farther from where it told to be, for each second since,
@@ -86,6 +88,8 @@ class FleetMember final : public SearchBoard {
   void look();
   /// Those that may stand in the sonar's beam now.
   std::vector<team_exploration::Peer> peers() const;
+  /// What an echo is weighed by while it is not known where others are.
+  team_exploration::UnplacedPeerFilter::Surroundings surroundings() const;
 
   session::RobotContext& robot_;
   FleetMemberParams params_;
@@ -93,6 +97,7 @@ class FleetMember final : public SearchBoard {
   TeamPicture picture_;
   JoinLog joins_;
   pipeline::ObservationFork behind_filter_;
+  team_exploration::UnplacedPeerFilter unplaced_filter_;
   team_exploration::PeerEchoFilter filter_;
   std::unique_ptr<team_map::SubmapRecorder> recorder_;
   std::unique_ptr<SourceRecorder> source_recorder_;  ///< Null of a robot that does not search.

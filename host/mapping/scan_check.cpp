@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "host/geometry/angle.hpp"
-#include "host/geometry/unit_vector.hpp"
+#include "host/mapping/echo_arc.hpp"
 
 namespace echomap::mapping {
 namespace {
@@ -38,45 +38,6 @@ bool is_stuck(const Scan& scan, const ScanCheckParams& params) {
   return false;
 }
 
-/// What a map has on the arc of an echo, in places.
-struct Arc {
-  std::size_t places = 0;
-  std::size_t occupied = 0;
-  std::size_t unknown = 0;
-  std::size_t firm_floor = 0;
-
-  bool is_floor() const { return occupied == 0 && unknown == 0; }
-  bool is_firm_floor(double max_other_share) const {
-    return occupied == 0 && static_cast<double>(places - firm_floor) <=
-                                max_other_share * static_cast<double>(places);
-  }
-};
-
-Arc arc_of(const PlacedReading& reading, const OccupancyGrid& map, const ScanCheckParams& params) {
-  const double step_m = 0.5 * map.resolution_m();
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only echoes are asked about
-  const double near_m = *reading.range_m - params.tolerance_m;
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only echoes are asked about
-  const double far_m = *reading.range_m + params.tolerance_m;
-  Arc arc;
-  // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): no step counts, cells are wider
-  for (double range_m = std::max(near_m, 0.0); range_m <= far_m; range_m += step_m) {
-    const double turn_rad = step_m / std::max(range_m, step_m);
-    // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): no step counts, cells are wider
-    for (double off_rad = -params.beam_half_angle_rad; off_rad <= params.beam_half_angle_rad;
-         off_rad += turn_rad) {
-      const geometry::CellIndex cell =
-          map.cell_at(reading.T_map_sonar * (range_m * geometry::unit_vector(off_rad)));
-      const CellState state = map.state(cell);
-      ++arc.places;
-      arc.occupied += state == CellState::kOccupied ? 1 : 0;
-      arc.unknown += state == CellState::kUnknown ? 1 : 0;
-      arc.firm_floor += map.centilogits(cell).value_or(0) <= params.firm_floor_centilogits ? 1 : 0;
-    }
-  }
-  return arc;
-}
-
 /// How the echoes of a scan agree with a map, and how many of them lie on firm floor.
 struct Agreement {
   ScanFit fit;
@@ -87,7 +48,7 @@ Agreement agreement_of(const Scan& scan, const OccupancyGrid& map, const ScanChe
   Agreement agreement;
   for (const PlacedReading& reading : scan) {
     if (reading.range_m) {
-      const Arc arc = arc_of(reading, map, params);
+      const EchoArc arc = arc_of(reading, map, params);
       agreement.fit.on_walls += arc.occupied > 0 ? 1 : 0;
       agreement.fit.on_floor += arc.is_floor() ? 1 : 0;
       agreement.on_firm_floor += arc.is_firm_floor(params.max_other_share) ? 1 : 0;

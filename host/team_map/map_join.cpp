@@ -8,22 +8,27 @@
 
 namespace echomap::team_map {
 
+void validate(const SureEvidence& sure) {
+  geometry::ParameterValidator("sure evidence")
+      .positive("max_loss", sure.max_loss)
+      .positive("min_gain", sure.min_gain)
+      .within("min_matched_share", sure.min_matched_share, 0.0, 1.0)
+      .positive("max_range_rms_m", sure.max_range_rms_m)
+      .at_least("max_loss_by_walls", sure.max_loss_by_walls, sure.max_loss)
+      .at_least("max_range_rms_by_walls_m", sure.max_range_rms_by_walls_m, sure.max_range_rms_m)
+      .within("max_rival_share", sure.max_rival_share, 0.0, 1.0)
+      .within("max_rival_wall_share", sure.max_rival_wall_share, 0.0, 1.0);
+}
+
 void validate(const MapJoinParams& params) {
   geometry::ParameterValidator("map join")
       .positive("judged", params.judged)
-      .positive("max_loss", params.max_loss)
-      .positive("min_gain", params.min_gain)
-      .within("min_matched_share", params.min_matched_share, 0.0, 1.0)
-      .positive("max_range_rms_m", params.max_range_rms_m)
-      .at_least("max_loss_by_walls", params.max_loss_by_walls, params.max_loss)
-      .at_least("max_range_rms_by_walls_m", params.max_range_rms_by_walls_m, params.max_range_rms_m)
-      .within("max_rival_share", params.max_rival_share, 0.0, 1.0)
-      .within("max_rival_wall_share", params.max_rival_wall_share, 0.0, 1.0)
       .positive("agreeing_looks", params.agreeing_looks)
       .positive("same_m", params.same_m)
       .positive("same_rad", params.same_rad)
-      .at_least("undone_loss", params.undone_loss, params.max_loss_by_walls)
+      .at_least("undone_loss", params.undone_loss, params.sure.max_loss_by_walls)
       .positive("undoing_looks", params.undoing_looks);
+  validate(params.sure);
 }
 
 void MapJoin::update(const RobotMap& first, const RobotMap& second) {
@@ -47,7 +52,7 @@ void MapJoin::look(const RobotMap& first, const RobotMap& second) {
   std::stable_sort(judged_.begin(), judged_.end(), [](const auto& one, const auto& other) {
     return one.evidence.weight() > other.evidence.weight();
   });
-  if (!is_sure()) {
+  if (!is_sure(params_.sure)) {
     agreeing_ = 0;
     return;
   }
@@ -57,30 +62,61 @@ void MapJoin::look(const RobotMap& first, const RobotMap& second) {
   agreeing_ = agrees ? agreeing_ + 1 : 1;
   candidate_ = best;
   if (agreeing_ >= params_.agreeing_looks) {
-    joined_ = best;
-    contradicting_ = 0;
-    ++joins_;
+    join(best);
   }
 }
 
-bool MapJoin::is_sure() const {
+void MapJoin::join(const geometry::Pose2& T_first_second) {
+  joined_ = T_first_second;
+  contradicting_ = 0;
+  ++joins_;
+}
+
+void MapJoin::undo() {
+  if (joined_) {
+    joined_.reset();
+    ++undone_;
+  }
+  agreeing_ = 0;
+  contradicting_ = 0;
+}
+
+void MapJoin::try_at(const RobotMap& first,
+                     const RobotMap& second,
+                     const geometry::Pose2& T_first_second) {
+  const geometry::Pose2 refined = refined_placement(first, second, T_first_second);
+  const bool stays = slam::is_near(T_first_second, refined, params_.same_m, params_.same_rad);
+  const geometry::Pose2& tried = stays ? refined : T_first_second;
+  judged_ = {{tried, evidence_for(first, second, tried), 0.0}};
+  agreeing_ = 0;
+  if (stays && is_sure(params_.sure)) {
+    join(refined);
+    return;
+  }
+  const MapEvidence& evidence = judged_.front().evidence;
+  const bool speaks_against = evidence.readings >= params_.sure.min_readings &&
+                              evidence.loss_per_reading() > params_.undone_loss;
+  contradicting_ = speaks_against ? contradicting_ + 1 : 0;
+}
+
+bool MapJoin::is_sure(const SureEvidence& sure) const {
   if (judged_.empty()) {
     return false;
   }
   const MapEvidence& best = judged_.front().evidence;
   const bool alone = is_alone_by_walls();
-  return best.readings >= params_.min_readings && best.gain >= params_.min_gain &&
-         best.loss_per_reading() <= (alone ? params_.max_loss_by_walls : params_.max_loss) &&
-         best.matched >= params_.min_matched && best.matched_share() >= params_.min_matched_share &&
-         best.range_rms_m <= (alone ? params_.max_range_rms_by_walls_m : params_.max_range_rms_m) &&
-         !has_rival();
+  return best.readings >= sure.min_readings && best.gain >= sure.min_gain &&
+         best.loss_per_reading() <= (alone ? sure.max_loss_by_walls : sure.max_loss) &&
+         best.matched >= sure.min_matched && best.matched_share() >= sure.min_matched_share &&
+         best.range_rms_m <= (alone ? sure.max_range_rms_by_walls_m : sure.max_range_rms_m) &&
+         !has_rival(sure);
 }
 
-bool MapJoin::has_rival() const {
+bool MapJoin::has_rival(const SureEvidence& sure) const {
   const JudgedPlacement& best = judged_.front();
   return std::any_of(judged_.begin() + 1, judged_.end(), [&](const JudgedPlacement& other) {
-    return other.evidence.weight() > params_.max_rival_share * best.evidence.weight() ||
-           other.wall_weight_m > params_.max_rival_wall_share * best.wall_weight_m;
+    return other.evidence.weight() > sure.max_rival_share * best.evidence.weight() ||
+           other.wall_weight_m > sure.max_rival_wall_share * best.wall_weight_m;
   });
 }
 
@@ -99,15 +135,13 @@ void MapJoin::check(const RobotMap& first, const RobotMap& second) {
   const MapEvidence evidence = evidence_for(first, second, refined);
   judged_ = {{refined, evidence, 0.0}};
   const bool holds = slam::is_near(*joined_, refined, params_.same_m, params_.same_rad) &&
-                     evidence.readings >= params_.min_readings / 2 &&
+                     evidence.readings >= params_.sure.min_readings / 2 &&
                      evidence.loss_per_reading() <= params_.undone_loss;
   contradicting_ = holds ? 0 : contradicting_ + 1;
   if (holds) {
     joined_ = refined;
   } else if (contradicting_ >= params_.undoing_looks) {
-    joined_.reset();
-    agreeing_ = 0;
-    ++undone_;
+    undo();
   }
 }
 

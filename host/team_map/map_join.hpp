@@ -12,12 +12,8 @@
 
 namespace echomap::team_map {
 
-/// When the maps of two robots are joined, and when they are taken apart again; ours, chosen in
-/// simulated rooms (docs/algorithms/team_map.md).
-struct MapJoinParams {
-  mapping::MapPlacementParams placement;
-  /// Of the placements that walls and floor speak for, so many of the best are judged by readings.
-  std::size_t judged = 4;
+/// When a look at two maps is sure; ours, chosen in simulated rooms (docs/algorithms/team_map.md).
+struct SureEvidence {
   /// A placement is sure that explains the readings about as well as each map its own: so much is
   /// lost at most of the log-likelihood of a reading,
   double max_loss = 0.4;
@@ -36,7 +32,15 @@ struct MapJoinParams {
   /// Where walls leave no other place, as mapping::sure_placement asks, readings may agree less.
   double max_loss_by_walls = 0.6;
   double max_range_rms_by_walls_m = 0.037;
+};
+
+/// When the maps of two robots are joined, and when they are taken apart again; ours as well.
+struct MapJoinParams {
+  mapping::MapPlacementParams placement;
+  /// Of the placements that walls and floor speak for, so many of the best are judged by readings.
+  std::size_t judged = 4;
   /// So many looks in a row agree on it, within same_m and same_rad.
+  SureEvidence sure;
   std::size_t agreeing_looks = 2;
   double same_m = 0.3;
   double same_rad = 0.17;
@@ -64,10 +68,20 @@ class MapJoin {
   /// Looks for the second robot's map in that of the first, or checks the join that there is.
   void update(const RobotMap& first, const RobotMap& second);
 
+  /// The same where others tell how the two lie to each other: joins them there if their readings
+  /// are sure of it, too.
+  void try_at(const RobotMap& first, const RobotMap& second, const geometry::Pose2& T_first_second);
+  /// Whether the last tries in a row, as many as undo a join, spoke against that place.
+  bool is_contradicted() const { return contradicting_ >= params_.undoing_looks; }
+  /// Takes the join back: something else has contradicted it.
+  void undo();
+
   /// From the second robot's map to the first one's; empty while it is not known.
   const std::optional<geometry::Pose2>& T_first_second() const { return joined_; }
   /// What was judged last, the best first; of a join, that alone.
   const std::vector<JudgedPlacement>& judged() const { return judged_; }
+  /// What speaks for the join, as of the last look (MapEvidence::weight).
+  double weight() const { return judged_.empty() ? 0.0 : judged_.front().evidence.weight(); }
   std::size_t joins() const { return joins_; }
   /// How often a join was contradicted later.
   std::size_t undone() const { return undone_; }
@@ -75,8 +89,9 @@ class MapJoin {
  private:
   void look(const RobotMap& first, const RobotMap& second);
   void check(const RobotMap& first, const RobotMap& second);
-  bool is_sure() const;
-  bool has_rival() const;
+  void join(const geometry::Pose2& T_first_second);
+  bool is_sure(const SureEvidence& sure) const;
+  bool has_rival(const SureEvidence& sure) const;
   bool is_alone_by_walls() const;
 
   MapJoinParams params_;

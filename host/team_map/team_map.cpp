@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 
 namespace echomap::team_map {
@@ -32,6 +33,14 @@ bool is_like(const TeamComponent& one, const TeamComponent& other) {
                     [&](const auto& a, const auto& b) {
                       return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
                     });
+}
+
+Eigen::Vector2d middle_m(const RobotMap& map) {
+  Eigen::Vector2d sum_m = Eigen::Vector2d::Zero();
+  for (const Pose2& T_map_submap : map.T_map_submaps()) {
+    sum_m += T_map_submap.position_m();
+  }
+  return sum_m / static_cast<double>(map.T_map_submaps().size());
 }
 
 std::size_t index_of(const TeamComponent& component, const std::string& robot) {
@@ -76,96 +85,131 @@ bool TeamMap::update() {
     return false;
   }
   join_pairs();
-  changed_.clear();
-  std::vector<TeamComponent> components = connected();
-  for (TeamComponent& component : components) {
-    begin(component);
-    align(component);
+  std::vector<TeamComponent> begun = connected();
+  std::vector<TeamComponent> components = begun;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const auto before = std::find_if(begun_.begin(), begun_.end(), [&](const auto& other) {
+      return !has_news(begun[i]) && is_like(begun[i], other);
+    });
+    if (before != begun_.end()) {
+      components[i] = components_[static_cast<std::size_t>(before - begun_.begin())];
+    } else {
+      align(components[i]);
+    }
   }
+  changed_.clear();
   const bool has_changed = !std::equal(
       components.begin(), components.end(), components_.begin(), components_.end(), is_like);
+  begun_ = std::move(begun);
   components_ = std::move(components);
   merged_.clear();
   return has_changed;
 }
 
+bool TeamMap::has_news(const TeamComponent& component) const {
+  return std::any_of(changed_.begin(), changed_.end(), [&](const std::string& robot) {
+    return std::binary_search(component.robots.begin(), component.robots.end(), robot);
+  });
+}
+
 void TeamMap::join_pairs() {
-  counts_ = {};
   for (auto one = robots_.begin(); one != robots_.end(); ++one) {
     for (auto other = std::next(one); other != robots_.end(); ++other) {
-      const Pair pair{one->first, other->first};
-      MapJoin& join = joins_.try_emplace(pair, params_.joining).first->second;
       const bool is_new = std::any_of(changed_.begin(), changed_.end(), [&](const auto& robot) {
         return robot == one->first || robot == other->first;
       });
-      if (is_new && !told_.contains(pair) && !one->second.submaps().empty() &&
+      if (is_new && !told_.contains({one->first, other->first}) && !one->second.submaps().empty() &&
           !other->second.submaps().empty()) {
-        join.update(one->second, other->second);
+        join_pair({one->first, other->first});
       }
-      counts_.joins += join.joins();
-      counts_.undone += join.undone();
+    }
+  }
+  undo_contradicted();
+  count_joins();
+}
+
+/// Where two maps that are joined by way of others lie is known: their own readings tell whether
+/// it is so.
+void TeamMap::join_pair(const Pair& pair) {
+  const RobotMap& one = robots_.at(pair.first);
+  const RobotMap& other = robots_.at(pair.second);
+  MapJoin& join = joins_.try_emplace(pair, params_.joining).first->second;
+  const auto known = relative_pose(pair.first, pair.second);
+  if (join.T_first_second() || !known) {
+    join.update(one, other);
+    return;
+  }
+  join.try_at(one, other, known->T_own_peer);
+  if (join.is_contradicted()) {
+    const std::vector<MapLink> all = links();
+    if (const std::size_t weakest = weakest_between(pair.first, pair.second, all);
+        weakest < all.size() && !told_.contains({all[weakest].one, all[weakest].other})) {
+      joins_.at({all[weakest].one, all[weakest].other}).undo();
     }
   }
 }
 
-std::optional<Pose2> TeamMap::T_joined(const std::string& one, const std::string& other) const {
-  if (one > other) {
-    const auto T_other_one = T_joined(other, one);
-    return T_other_one ? std::optional(T_other_one->inverse()) : std::nullopt;
+void TeamMap::undo_contradicted() {
+  const std::vector<MapLink> all = links();
+  std::vector<std::string> robots;
+  for (const auto& [robot, map] : robots_) {
+    robots.push_back(robot);
   }
-  if (const auto told = told_.find({one, other}); told != told_.end()) {
-    return told->second.T_own_peer;
+  for (const std::size_t i : join_tree(robots, all, params_.tree).contradicted) {
+    if (const Pair pair{all[i].one, all[i].other}; !told_.contains(pair)) {
+      joins_.at(pair).undo();
+    }
   }
-  const auto join = joins_.find({one, other});
-  return join == joins_.end() ? std::nullopt : join->second.T_first_second();
+}
+
+void TeamMap::count_joins() {
+  counts_ = {};
+  for (const auto& [pair, join] : joins_) {
+    counts_.joins += join.joins();
+    counts_.undone += join.undone();
+  }
+}
+
+std::vector<MapLink> TeamMap::links() const {
+  std::vector<MapLink> links;
+  const auto add = [&](const Pair& pair, const Pose2& T_one_other, double weight) {
+    const auto one = robots_.find(pair.first);
+    const auto other = robots_.find(pair.second);
+    if (one != robots_.end() && other != robots_.end() && !one->second.submaps().empty() &&
+        !other->second.submaps().empty()) {
+      links.push_back({pair.first, pair.second, T_one_other, weight, middle_m(other->second)});
+    }
+  };
+  for (const auto& [pair, relative] : told_) {
+    add(pair, relative.T_own_peer, std::numeric_limits<double>::infinity());
+  }
+  for (const auto& [pair, join] : joins_) {
+    if (join.T_first_second() && !told_.contains(pair)) {
+      add(pair, *join.T_first_second(), join.weight());
+    }
+  }
+  return links;
 }
 
 std::vector<TeamComponent> TeamMap::connected() const {
-  std::vector<TeamComponent> components;
-  std::vector<std::string> left;
+  std::vector<std::string> robots;
   for (const auto& [robot, map] : robots_) {
     if (!map.submaps().empty()) {
-      left.push_back(robot);
+      robots.push_back(robot);
     }
   }
-  while (!left.empty()) {
-    TeamComponent component;
-    component.robots = {left.front()};
-    left.erase(left.begin());
-    for (std::size_t i = 0; i < component.robots.size(); ++i) {
-      const auto reached =
-          std::stable_partition(left.begin(), left.end(), [&](const std::string& other) {
-            return !T_joined(component.robots[i], other);
-          });
-      component.robots.insert(component.robots.end(), reached, left.end());
-      left.erase(reached, left.end());
-    }
-    std::sort(component.robots.begin(), component.robots.end());
-    components.push_back(std::move(component));
-  }
-  return components;
-}
-
-void TeamMap::begin(TeamComponent& component) const {
-  // Reached one after the other along joins, from the first robot on.
-  std::map<std::string, Pose2> T_team_maps{{component.robots.front(), Pose2()}};
-  while (T_team_maps.size() < component.robots.size()) {
-    const auto known = T_team_maps;
-    for (const auto& [robot, T_team_map] : known) {
-      for (const std::string& other : component.robots) {
-        const auto T_robot_other = T_joined(robot, other);
-        if (T_robot_other && !T_team_maps.contains(other)) {
-          T_team_maps[other] = T_team_map * *T_robot_other;
-        }
+  std::vector<TeamComponent> components;
+  for (const JoinedMaps& maps : join_tree(robots, links(), params_.tree).components) {
+    TeamComponent& component = components.emplace_back();
+    component.robots = maps.robots;
+    for (std::size_t i = 0; i < maps.robots.size(); ++i) {
+      auto& poses = component.T_team_submaps.emplace_back();
+      for (const Pose2& T_map_submap : robots_.at(maps.robots[i]).T_map_submaps()) {
+        poses.push_back(maps.T_first_maps[i] * T_map_submap);
       }
     }
   }
-  for (const std::string& robot : component.robots) {
-    auto& poses = component.T_team_submaps.emplace_back();
-    for (const Pose2& T_map_submap : robots_.at(robot).T_map_submaps()) {
-      poses.push_back(T_team_maps[robot] * T_map_submap);
-    }
-  }
+  return components;
 }
 
 void TeamMap::align(TeamComponent& component) const {

@@ -10,6 +10,7 @@
 
 #include "host/geometry/pose2.hpp"
 #include "host/mapping/sonar_mapper.hpp"
+#include "host/team_map/join_tree.hpp"
 #include "host/team_map/map_join.hpp"
 #include "host/team_map/merged_map.hpp"
 #include "host/team_map/robot_map.hpp"
@@ -21,6 +22,7 @@ namespace echomap::team_map {
 /// How a team's maps are joined, aligned and drawn.
 struct TeamMapParams {
   MapJoinParams joining;
+  JoinTreeParams tree;
   TeamGraphParams graph;
   /// Of the merged map, and of each robot's own; the beam is each robot's.
   mapping::SonarMapperParams mapper;
@@ -108,18 +110,22 @@ class TeamMap {
   using Pair = std::pair<std::string, std::string>;
 
   void join_pairs();
+  void join_pair(const Pair& pair);
+  void undo_contradicted();
+  void count_joins();
+  /// All that holds now, told poses among them; they outweigh all others.
+  std::vector<MapLink> links() const;
   std::vector<TeamComponent> connected() const;
-  void begin(TeamComponent& component) const;
   void align(TeamComponent& component) const;
+  bool has_news(const TeamComponent& component) const;
   std::vector<TeamRelation> relations_in(const TeamComponent& component) const;
-  std::optional<geometry::Pose2> T_joined(const std::string& one, const std::string& other) const;
-
   TeamMapParams params_;
   std::map<std::string, RobotMap> robots_;
   std::map<Pair, MapJoin> joins_;
   std::map<Pair, RelativePose> told_;
   std::vector<PeerSighting> sightings_;
   std::vector<std::string> changed_;
+  std::vector<TeamComponent> begun_;  ///< The components as they were before they were aligned.
   std::vector<TeamComponent> components_;
   std::map<std::string, MergedMapper> mappers_;  ///< By the robot whose frame it is.
   std::map<std::string, MergedMap> merged_;

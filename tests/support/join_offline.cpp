@@ -40,6 +40,10 @@ struct Outcome {
   double wrong_s = 0.0;  ///< Joined wrongly for so long.
   bool is_wrong_at_end = false;
   double end_s = 0.0;
+  /// Of where the second robot stood last, as seen from where the first one did, in standard
+  /// deviations: of the position (two degrees of freedom) and of the heading.
+  double position_off = 0.0;
+  double heading_off = 0.0;
 };
 
 struct Cost {
@@ -63,6 +67,14 @@ bool is_right(const Team& team,
   const Pose2 T_true = team[a].T_world_start.inverse() * team[b].T_world_start;
   outcome.heading_error_deg = std::abs(echomap::geometry::degrees(
       echomap::geometry::angle_between(T_true.heading_rad(), relative->T_own_peer.heading_rad())));
+  const Pose2 T_stands = T_a.back().inverse() * relative->T_own_peer * T_b.back();
+  const Pose2 T_true_stands =
+      team[a].T_world_submaps[T_a.size() - 1].inverse() * team[b].T_world_submaps[T_b.size() - 1];
+  outcome.position_off =
+      (T_stands.position_m() - T_true_stands.position_m()).norm() / relative->position_stddev_m;
+  outcome.heading_off =
+      echomap::geometry::angle_between(T_true_stands.heading_rad(), T_stands.heading_rad()) /
+      relative->heading_stddev_rad;
   return outcome.final_error_m < 0.4 + outcome.final_own_m && outcome.heading_error_deg < 15.0;
 }
 
@@ -125,7 +137,7 @@ void print(const std::string& world,
       std::printf(
           "%s seed %d pair %zu%zu joined_s %5.0f of %5.0f err %.3f own %.3f final %.3f own %.3f "
           "deg "
-          "%.1f wrong_s %.0f%s\n",
+          "%.1f off %.2f %.2f wrong_s %.0f%s\n",
           world.c_str(),
           seed,
           which[i] + 1,
@@ -137,6 +149,8 @@ void print(const std::string& world,
           one.final_error_m,
           one.final_own_m,
           one.heading_error_deg,
+          one.position_off,
+          one.heading_off,
           one.wrong_s,
           one.is_wrong_at_end ? " WRONG AT THE END" : "");
     }

@@ -84,9 +84,48 @@ TEST_F(MapJoinTest, UndoesAJoinThatIsContradicted) {
   EXPECT_EQ(join.undone(), 1U);
 }
 
+TEST_F(MapJoinTest, JoinsAtOnceWhereOthersTellItAndReadingsAreSure) {
+  const Pose2 T_true = tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0);
+  stop(1);
+  join.try_at(first, second, T_true);
+  EXPECT_FALSE(join.T_first_second()) << "one stop is too little";
+  stop(8);
+  join.try_at(first, second, T_true * Pose2(0.03, -0.02, 0.02));
+  ASSERT_TRUE(join.T_first_second());
+  EXPECT_NEAR(join.T_first_second()->x_m(), T_true.x_m(), 0.03);
+  EXPECT_GT(join.weight(), 0.0);
+}
+
+TEST_F(MapJoinTest, KnowsThatReadingsSpeakAgainstWhatOthersTell) {
+  stop(8);
+  const Pose2 T_wrong =
+      tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0) * Pose2(0.1, 0.1, 0.35);
+  join.try_at(first, second, T_wrong);
+  EXPECT_FALSE(join.is_contradicted()) << "one look is not enough";
+  join.try_at(first, second, T_wrong);
+  EXPECT_TRUE(join.is_contradicted());
+  EXPECT_FALSE(join.T_first_second());
+}
+
+TEST_F(MapJoinTest, CanBeTakenBack) {
+  for (const std::size_t stops : {7, 8}) {
+    stop(stops);
+    join.update(first, second);
+  }
+  ASSERT_TRUE(join.T_first_second());
+  join.undo();
+  EXPECT_FALSE(join.T_first_second());
+  EXPECT_EQ(join.undone(), 1U);
+  join.undo();
+  EXPECT_EQ(join.undone(), 1U);
+}
+
 TEST(MapJoinParams, RefusesInvalidOnes) {
   MapJoinParams params;
-  params.undone_loss = 0.5 * params.max_loss;
+  params.undone_loss = 0.5 * params.sure.max_loss;
+  EXPECT_THROW(validate(params), std::invalid_argument);
+  params = {};
+  params.sure.min_gain = 0.0;
   EXPECT_THROW(validate(params), std::invalid_argument);
   params = {};
   params.agreeing_looks = 0;

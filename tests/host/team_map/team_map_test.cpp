@@ -118,6 +118,35 @@ TEST_F(TeamMapTest, ReachesARobotByWayOfAnother) {
   EXPECT_NEAR(team.relative_pose("a", "c")->T_own_peer.x_m(), T_a_b.x_m(), 0.05);
 }
 
+TEST_F(TeamMapTest, AsksTheReadingsOfMapsThatAreJoinedByWayOfAnother) {
+  RobotRecord c = b;
+  c.robot = "c";
+  team.tell({"a", "b", {T_a_b, 0.02, 0.02}});
+  team.tell({"b", "c", {Pose2(), 0.02, 0.02}});
+  team.take(a);
+  team.take(b);
+  team.take(tests::first_stops(c, 1));
+  team.update();
+  EXPECT_EQ(team.counts().joins, 0U);
+  team.take(c);
+  team.update();
+  EXPECT_EQ(team.counts().joins, 1U) << "a and c are where they should be";
+}
+
+TEST_F(TeamMapTest, UndoesAJoinThatACycleContradicts) {
+  RobotRecord c = b;
+  c.robot = "c";
+  team.take(c);
+  meet();
+  ASSERT_EQ(team.components().size(), 1U);
+  ASSERT_EQ(team.counts().undone, 0U);
+  ASSERT_EQ(team.counts().joins, 2U) << "a with b and with c";
+  team.tell({"b", "c", {Pose2(0.0, 0.0, 3.0), 0.02, 0.02}});
+  team.update();
+  EXPECT_EQ(team.counts().undone, 1U) << "what somebody tells outweighs readings";
+  EXPECT_EQ(team.components().size(), 1U);
+}
+
 TEST(TeamMapParams, AreCheckedOnce) {
   TeamMapParams params;
   params.joining.judged = 0;
