@@ -230,7 +230,7 @@ ExitCode run_fleet_start(const FleetStartOptions& options);
 /// `echomap fleet status`: who is in a fleet and how far it has come.
 struct FleetStatusOptions {
   std::filesystem::path as;    ///< Credentials of any member.
-  double listen_s = 3.0;       ///< How long it listens.
+  double listen_s = 6.0;       ///< How long it listens.
   std::filesystem::path json;  ///< Empty: none; "-": stdout.
 };
 ExitCode run_fleet_status(const FleetStatusOptions& options);

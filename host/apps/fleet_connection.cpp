@@ -6,6 +6,7 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "host/apps/commands.hpp"
 #include "host/console/interrupt.hpp"
@@ -48,6 +49,21 @@ FleetConnection connect_to_fleet(const std::filesystem::path& credentials,
       throw CommandError(ExitCode::kInterrupted, "interrupted");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+void ConnectionNews::tell(const mqtt::Connection& bus) {
+  if (bus.is_connected() != is_connected_) {
+    is_connected_ = bus.is_connected();
+    if (is_connected_) {
+      spdlog::warn("connected with the broker again");
+    } else {
+      spdlog::warn("no connection with the broker: {}", mqtt::text_of(bus.reason()));
+    }
+  }
+  if (bus.last_refused() && bus.last_refused()->reason != refused_) {
+    refused_ = bus.last_refused()->reason;
+    spdlog::warn("the broker refuses {}: {}", bus.last_refused()->topic, mqtt::text_of(refused_));
   }
 }
 

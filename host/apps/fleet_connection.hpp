@@ -22,4 +22,14 @@ struct FleetConnection {
 FleetConnection connect_to_fleet(const std::filesystem::path& credentials,
                                  const std::optional<mqtt::LastWill>& will = std::nullopt);
 
+/// What becomes of the connection of a robot that drives meanwhile: warns once of each change.
+class ConnectionNews {
+ public:
+  void tell(const mqtt::Connection& bus);
+
+ private:
+  bool is_connected_ = true;
+  mqtt::Reason refused_ = mqtt::Reason::kNone;
+};
+
 }  // namespace echomap::apps

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <random>
@@ -29,11 +30,13 @@
 #include "host/fleet_member/fleet_member.hpp"
 #include "host/fleet_member/team_searcher.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/mqtt/fleet_name.hpp"
 #include "host/team_exploration/team_explorer.hpp"
 
 namespace echomap::apps {
 namespace {
 
+namespace fs = std::filesystem;
 using fleet_member::FleetMember;
 using fleet_member::FleetMemberParams;
 using session::RobotContext;
@@ -55,9 +58,12 @@ std::uint32_t seconds_since_1970() {
       std::chrono::duration_cast<std::chrono::seconds>(since).count());
 }
 
-FleetMemberParams member_params(const broker::Credentials& credentials,
-                                const session::RobotProfile& profile,
-                                bool in_rounds) {
+bool is_in_rounds(const FleetJoinOptions& options) { return !options.rounds_with.empty(); }
+
+FleetMemberParams member_params(const FleetJoinOptions& options,
+                                const broker::Credentials& credentials,
+                                const session::RobotProfile& profile) {
+  const bool in_rounds = is_in_rounds(options);
   FleetMemberParams params;
   params.exchange.fleet = credentials.fleet;
   params.exchange.robot = credentials.user;
@@ -67,6 +73,11 @@ FleetMemberParams member_params(const broker::Credentials& credentials,
   params.echoes.robot_radius_m = profile.body_radius_m;
   if (in_rounds) {
     params.exchange_period_s = kRoundS;
+  } else {
+    params.exchange.folder = fs::path(options.as).replace_extension("told");
+  }
+  if (options.search) {
+    params.source = source_readings_params(profile);
   }
   return params;
 }
@@ -104,6 +115,20 @@ class CountedTeamExplorer final : public exploration::Explorer {
   team_exploration::TeamExplorer explorer_;
   MemberEncounters& encounters_;
 };
+
+/// Each exchange of a simulated fleet ends a round; the user of a real one hears of the connection.
+void follow_bus(FleetMember& member, fleet::FleetRounds* rounds, const mqtt::Connection& bus) {
+  if (rounds == nullptr) {
+    member.after_exchange = [&bus, news = ConnectionNews()]() mutable { news.tell(bus); };
+    return;
+  }
+  const auto end_round = [rounds] {
+    rounds->end_round();
+    wait_for_round(*rounds);
+  };
+  member.after_exchange = end_round;
+  end_round();
+}
 
 /// What drives a member: `frontier` among others.
 std::unique_ptr<exploration::Explorer> team_explorer(FleetMember& member,
@@ -164,6 +189,7 @@ RunEnding report_on_team_search(FleetMember& member,
     source = told_report(*told);
   }
   report["source"] = source;
+  report["strategy"] = "source";
   write_report(run.out / "source.json", source);
   if (belief != nullptr) {
     write_source_density(run.out / "source_density.csv", *belief);
@@ -172,49 +198,63 @@ RunEnding report_on_team_search(FleetMember& member,
 }
 
 /// "NAME,X,Y,DEGREES": where the map of another robot lies in this one's.
-void tell_start(FleetMember& member, const std::string& own, const std::string& words) {
+void tell_start(FleetMember& member, const std::string& words) {
   const std::size_t comma = words.find(',');
   double x_m = 0.0;
   double y_m = 0.0;
   double heading_deg = 0.0;
   char end = 0;
-  if (comma == std::string::npos || comma == 0 ||
+  if (comma == std::string::npos || !mqtt::is_fleet_name(words.substr(0, comma)) ||
       std::sscanf(words.c_str() + comma, ",%lf,%lf,%lf%c", &x_m, &y_m, &heading_deg, &end) != 3 ||
       !std::isfinite(x_m + y_m + heading_deg)) {
     throw CommandError(
         ExitCode::kUsage,
         "--knows is NAME,X,Y,DEGREES, not '" + words + "'\n  next: echomap fleet join --help");
   }
-  member.tell(own,
-              words.substr(0, comma),
+  member.tell(words.substr(0, comma),
               {geometry::Pose2(x_m, y_m, geometry::radians(heading_deg)), 0.02, 0.02});
 }
 
-/// Says good-bye, and stays until all that it has made is out.
-void part(FleetMember& member, fleet::FleetRounds* rounds, mqtt::Connection& bus, double now_s) {
+/// Says good-bye, and stays until all that it has made is out; how many messages are not.
+std::size_t part(FleetMember& member,
+                 fleet::FleetRounds* rounds,
+                 mqtt::Connection& bus,
+                 double now_s) {
   member.leave();
   member.after_exchange = nullptr;
   member.exchange(now_s);
   if (rounds != nullptr) {
     rounds->end_round(true);
   }
-  const double end_s = wall_s() + static_cast<double>(kFarewell.count());
-  while (wall_s() < end_s && !console::interrupted() &&
+  const double begin_s = wall_s();
+  const auto passed_s = [&] { return wall_s() - begin_s; };
+  while (passed_s() < static_cast<double>(kFarewell.count()) && !console::interrupted() &&
          (member.fleet().unconfirmed() > 0 || bus.unacknowledged() > 0)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    if (rounds != nullptr) {
-      rounds->poll(wall_s());
+    if (rounds == nullptr) {
+      member.exchange(now_s + passed_s());
+      continue;
     }
+    rounds->poll(wall_s());
     bus.take();
-    if (rounds != nullptr && bus.unacknowledged() == 0) {
+    if (bus.unacknowledged() == 0) {
       break;
     }
     member.exchange(now_s);
   }
-  if (member.fleet().unconfirmed() > 0 && rounds == nullptr) {
-    spdlog::warn("the broker has not taken all of {} messages", member.fleet().unconfirmed());
-  }
   bus.disconnect();
+  return rounds == nullptr ? member.fleet().unconfirmed() : 0;
+}
+
+/// How a run has ended of which the others do not know all.
+void add_untold(std::size_t untold, RunEnding& ending) {
+  if (untold > 0) {
+    ending.why += fmt::format("; the broker has not taken {} messages of it", untold);
+    if (ending.code == ExitCode::kOk) {
+      ending.code = ExitCode::kUnfinished;
+      ending.outcome = "untold";
+    }
+  }
 }
 
 void refuse_other_strategies(const strategies::StrategyOptions& strategy) {
@@ -227,7 +267,9 @@ void refuse_other_strategies(const strategies::StrategyOptions& strategy) {
 
 NextCommands next_of(const FleetJoinOptions& options, const std::filesystem::path& out) {
   const auto line = [](const console::CommandWords& words) { return console::shell_line(words); };
-  const std::string map = line({"echomap", "fleet", "map", "--as", options.as.string()});
+  const fs::path watch = fs::path(options.as).replace_filename("watch.toml");
+  const std::string as = (exists(watch) ? watch : fs::path(options.as)).string();
+  const std::string map = line({"echomap", "fleet", "map", "--as", as});
   const std::string localize = line({"echomap", "localize", "--map", (out / "team").string()});
   const std::string again = line({"echomap", "fleet", "join", "--as", options.as.string()});
   return {map, again, localize, again};
@@ -238,7 +280,6 @@ NextCommands next_of(const FleetJoinOptions& options, const std::filesystem::pat
 ExitCode run_fleet_join(const FleetJoinOptions& options) {
   const RunOptions& run = options.run;
   refuse_other_strategies(run.strategy);
-  const bool in_rounds = !options.rounds_with.empty();
   session::RobotProfile profile = profile_for(run.robot, run.strategy);
   std::optional<MemberSearch> search;
   if (options.search) {
@@ -256,14 +297,11 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   exports::RunSummary summary;
 
   const broker::Credentials credentials = broker::read_credentials(options.as);
-  FleetMemberParams params = member_params(credentials, robot.profile(), in_rounds);
-  if (search) {
-    params.source = source_readings_params(robot.profile());
-  }
+  const FleetMemberParams params = member_params(options, credentials, robot.profile());
   const FleetConnection connection =
       connect_to_fleet(options.as, fleet::last_will(params.exchange));
   std::optional<fleet::FleetRounds> rounds;
-  if (in_rounds) {
+  if (is_in_rounds(options)) {
     rounds.emplace(*connection.bus,
                    fleet::FleetRoundsParams{
                        credentials.fleet, credentials.user, kSimulatedBoot, options.rounds_with});
@@ -271,16 +309,9 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   mqtt::MessageBus& bus = rounds ? static_cast<mqtt::MessageBus&>(*rounds) : *connection.bus;
   FleetMember member(robot, bus, params);
   for (const std::string& known : options.knows) {
-    tell_start(member, credentials.user, known);
+    tell_start(member, known);
   }
-  if (rounds) {
-    member.after_exchange = [&] {
-      rounds->end_round();
-      wait_for_round(*rounds);
-    };
-    rounds->end_round();
-    wait_for_round(*rounds);
-  }
+  follow_bus(member, rounds ? &*rounds : nullptr, *connection.bus);
   open_port(robot, options.connection, run.strategy, summary);
   ExploreRun explore{run.strategy, live, out, progress_display(run), run.align, split_bytes(run)};
   explore.next = next_of(options, out);
@@ -292,15 +323,16 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   explore.known = [&] { return member.known(); };
   RunEnding ending = explore_and_save(robot, explore, summary);
   const double end_s = session::now_s(robot.session());
-  part(member, rounds ? &*rounds : nullptr, *connection.bus, end_s);
+  const std::size_t untold = part(member, rounds ? &*rounds : nullptr, *connection.bus, end_s);
   save_team_map(member, robot.profile(), out / "team", summary);
   robot.quit();
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
   if (search) {
     ending = report_on_team_search(member, *search, ending, explore, report);
-    report["outcome"] = ending.outcome;
-    report["strategy"] = "source";
   }
+  add_untold(untold, ending);
+  report["outcome"] = ending.outcome;
+  report["why"] = ending.why;
   end_recording(robot, report, out);
   report["team"] = team_report(member.joins(), encounters);
   write_report(out / "summary.json", report);

@@ -45,6 +45,7 @@ ExitCode run_fleet_map(const FleetMapOptions& options) {
   prepare_outputs(out, options.json, options.force);
   FleetWatch watch(options.as);
   watch.listen_for(options.listen_s);
+  watch.require_own_account();
   const fleet::FleetState state = watch.state();
   fleet_member::TeamPicture picture;
   picture.take(state);

@@ -99,6 +99,7 @@ ExitCode run_fleet_record(const FleetRecordOptions& options) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   recorder.finish();
+  watch.require_own_account();
   console::print(fmt::format("{}: {} messages of {} robots",
                              options.out.string(),
                              recorder.messages(),

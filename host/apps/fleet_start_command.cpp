@@ -37,6 +37,8 @@ using session::RobotProfile;
 
 constexpr const char* kFleet = "demo";
 constexpr const char* kHub = "hub";
+/// Who looks on beside.
+constexpr const char* kWatch = "watch";
 /// For the last files of a member behind its end.
 constexpr std::chrono::seconds kEndPatience{30};
 
@@ -60,6 +62,7 @@ broker::BrokerSettings broker_settings(const FleetStartOptions& options) {
     settings.users.push_back({name, broker::random_password()});
   }
   settings.users.push_back({kHub, broker::random_password()});
+  settings.users.push_back({kWatch, broker::random_password()});
   return settings;
 }
 
@@ -161,6 +164,7 @@ class Members {
 
 /// Shows the fleet while its members go on.
 void look_on(Members& members,
+             broker::Broker& broker,
              FleetWatch& watch,
              fleet_member::TeamPicture& picture,
              FleetPage& page) {
@@ -171,6 +175,13 @@ void look_on(Members& members,
     if (console::interrupted() && !is_interrupted) {
       is_interrupted = true;
       members.interrupt();
+    }
+    if (!broker.is_running()) {
+      members.interrupt();
+      members.wait_for_all();
+      throw CommandError(
+          ExitCode::kRuntimeError,
+          "the broker has ended\n  next: see " + (broker.folder() / "mosquitto.log").string());
     }
     if (watch.now_s() >= next_look_s) {
       const fleet::FleetState state = watch.state();
@@ -289,11 +300,11 @@ ExitCode run_fleet_start(const FleetStartOptions& options) {
   const fs::path out = fs::absolute(run_folder(run.out));
   prepare_outputs(out, run.json, run.force);
   broker::Broker broker(broker_settings(options), out / "broker");
-  console::print(fmt::format("broker of the fleet '{}' at {}:{}; others join as {}",
+  console::print(fmt::format("broker of the fleet '{}' at {}:{}; look on by --as {}",
                              kFleet,
                              options.address,
                              broker.port(),
-                             (broker.folder() / "members").string()));
+                             broker.credentials_file(kWatch).string()));
   session::SimulatedRobotOptions simulated = options.robot;
   simulated.driver = session::driver_of(profile.toml);
   const session::Seed seed(run.seed);
@@ -302,7 +313,7 @@ ExitCode run_fleet_start(const FleetStartOptions& options) {
   FleetPage page(options.live, profile, out);
   fleet_member::TeamPicture picture;
   Members members(options, broker, robots, out);
-  look_on(members, watch, picture, page);
+  look_on(members, broker, watch, picture, page);
   members.wait_for_all();
   watch.listen_for(0.5);
   picture.take(watch.state());

@@ -17,8 +17,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* words_of(fleet::Attendance attendance) {
-  switch (attendance) {
+/// A robot that is here has said so within the time that is listened.
+const char* words_of(const fleet::FleetRobot& robot) {
+  switch (robot.attendance) {
     case fleet::Attendance::kLeft:
       return "left";
     case fleet::Attendance::kGone:
@@ -26,7 +27,16 @@ const char* words_of(fleet::Attendance attendance) {
     case fleet::Attendance::kAlive:
       break;
   }
-  return "alive";
+  return robot.is_heard ? "alive" : "silent";
+}
+
+std::string words_of_map(const fleet::FleetRobot& robot, const team_map::TeamComponent* component) {
+  if (robot.maps.empty()) {
+    return "no map yet";
+  }
+  return component != nullptr && component->robots.size() > 1
+             ? fmt::format("one map with {} others", component->robots.size() - 1)
+             : "a map of its own";
 }
 
 std::size_t submaps_of(const fleet::FleetRobot& robot) {
@@ -48,7 +58,7 @@ ordered_json json_of(const fleet::FleetRobot& robot,
   const auto* component =
       picture.team().component_of(fleet_member::map_name(robot.name, robot.map_number));
   return {{"robot", robot.name},
-          {"presence", words_of(robot.attendance)},
+          {"presence", words_of(robot)},
           {"heard_s_ago", robot.age_s},
           {"submaps", submaps_of(robot)},
           {"up_to_date", is_up_to_date(robot, state)},
@@ -60,6 +70,7 @@ ordered_json json_of(const fleet::FleetRobot& robot,
 ExitCode run_fleet_status(const FleetStatusOptions& options) {
   FleetWatch watch(options.as);
   watch.listen_for(options.listen_s);
+  watch.require_own_account();
   const fleet::FleetState state = watch.state();
   fleet_member::TeamPicture picture;
   picture.take(state);
@@ -69,15 +80,12 @@ ExitCode run_fleet_status(const FleetStatusOptions& options) {
     robots.push_back(json_of(robot, state, picture));
     const auto* component =
         picture.team().component_of(fleet_member::map_name(robot.name, robot.map_number));
-    console::print(
-        fmt::format("{:<16} {:<6} {:>3} submaps  {}  {}",
-                    robot.name,
-                    words_of(robot.attendance),
-                    submaps_of(robot),
-                    is_up_to_date(robot, state) ? "has all" : "misses some",
-                    component != nullptr && component->robots.size() > 1
-                        ? fmt::format("one map with {} others", component->robots.size() - 1)
-                        : "a map of its own"));
+    console::print(fmt::format("{:<16} {:<6} {:>3} submaps  {}  {}",
+                               robot.name,
+                               words_of(robot),
+                               submaps_of(robot),
+                               is_up_to_date(robot, state) ? "has all" : "misses some",
+                               words_of_map(robot, component)));
   }
   const bool is_empty = state.robots.empty();
   console::print(is_empty ? fmt::format("nobody is in the fleet '{}'\n  next: echomap fleet join "

@@ -5,6 +5,7 @@
 #include <memory>
 #include <thread>
 
+#include "host/apps/commands.hpp"
 #include "host/console/interrupt.hpp"
 #include "host/fleet/exchange_params.hpp"
 #include "host/fleet_messages/topic.hpp"
@@ -13,9 +14,7 @@ namespace echomap::apps {
 
 FleetWatch::FleetWatch(const std::filesystem::path& credentials)
     : connection_(connect_to_fleet(credentials)),
-      knowledge_(connection_.credentials.fleet,
-                 connection_.credentials.user,
-                 fleet::FleetExchangeParams().gone_after_s) {
+      knowledge_(connection_.credentials.fleet, "", fleet::FleetExchangeParams().gone_after_s) {
   connection_.bus->subscribe(fleet_messages::fleet_filter(fleet()));
 }
 
@@ -29,6 +28,15 @@ std::vector<mqtt::Message> FleetWatch::listen() {
     knowledge_.take(message, now_s());
   }
   return messages;
+}
+
+void FleetWatch::require_own_account() const {
+  if (connection_.bus->reason() == mqtt::Reason::kTakenOver) {
+    throw CommandError(ExitCode::kRuntimeError,
+                       "somebody else has connected as " + connection_.credentials.user +
+                           "\n  next: use the credentials of nobody else, as watch.toml of the "
+                           "broker's members is to look on");
+  }
 }
 
 void FleetWatch::listen_for(double seconds) {

@@ -24,6 +24,9 @@ class FleetWatch {
   std::vector<mqtt::Message> listen();
   /// Listens for so long, or until Ctrl-C.
   void listen_for(double seconds);
+  /// Throws CommandError where somebody else has connected with the same credentials meanwhile:
+  /// each of the two throws the other one out.
+  void require_own_account() const;
   /// Seconds since it was connected.
   double now_s() const;
 

@@ -110,7 +110,7 @@ std::string bridge_configuration(const SiteBridge& bridge, const std::string& fl
   if (!bridge.ca_file.empty()) {
     text += fmt::format("bridge_cafile {}\n", bridge.ca_file.string());
   }
-  for (const char* const kind : {"presence", "manifest/+", "graph/+", "submap/+", "source/+"}) {
+  for (const char* const kind : {"presence", "manifest/+", "graph/+", "submap/+"}) {
     text += fmt::format("topic +/{} out 1 {} {}{}/\n",
                         kind,
                         fleet_topics(fleet),

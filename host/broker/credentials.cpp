@@ -7,6 +7,7 @@
 
 #include "host/files/atomic_file.hpp"
 #include "host/files/toml_reader.hpp"
+#include "host/mqtt/fleet_name.hpp"
 
 namespace echomap::broker {
 namespace {
@@ -21,6 +22,14 @@ std::string toml_text(const std::string& text) {
     quoted += c;
   }
   return quoted + "\"";
+}
+
+std::string name_of(const files::TomlReader& reader, const std::string& key) {
+  const std::string name = reader.text(key);
+  if (!mqtt::is_fleet_name(name)) {
+    reader.fail(key, fmt::format("{} = '{}' is no name: 1 to 32 of a-z, 0-9, _ and -", key, name));
+  }
+  return name;
 }
 
 }  // namespace
@@ -44,14 +53,14 @@ void write_credentials(const std::filesystem::path& file, const Credentials& cre
 Credentials read_credentials(const std::filesystem::path& file) {
   const auto reader = files::TomlReader::load(file);
   Credentials credentials;
-  credentials.fleet = reader.text("fleet");
+  credentials.fleet = name_of(reader, "fleet");
   credentials.host = reader.text("host");
   const std::int64_t port = reader.integer("port");
   if (port < 1 || port > std::numeric_limits<std::uint16_t>::max()) {
     reader.fail("port", fmt::format("port = {} is outside 1 .. 65535", port));
   }
   credentials.port = static_cast<std::uint16_t>(port);
-  credentials.user = reader.text("user");
+  credentials.user = name_of(reader, "user");
   credentials.password = reader.text("password");
   const std::filesystem::path ca_file = reader.text_or("ca", "");
   credentials.ca_file = ca_file.empty() ? ca_file : file.parent_path() / ca_file;

@@ -240,7 +240,7 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
     return std::nullopt;
   }
   navigator_.forget_failures();
-  openings_m_.push_back(nearest->at_m);
+  ++opening_at(nearest->at_m).tries;
   nearest->cost_m += params_.openings.step_m;
   RasterMap stepped = map;
   const double radius_m = params_.openings.step_m + 2.0 * map.resolution_m();
@@ -256,17 +256,25 @@ bool Frontier::is_left_to_others(const Eigen::Vector2d& opening_m) const {
   });
 }
 
-/// In vain: where one that was chosen has become floor, the way goes on.
+Frontier::TriedOpening& Frontier::opening_at(const Eigen::Vector2d& opening_m) {
+  const auto known = std::ranges::find_if(openings_, [&](const TriedOpening& tried) {
+    return (tried.at_m - opening_m).norm() < params_.openings_apart_m;
+  });
+  return known != openings_.end() ? *known : openings_.emplace_back(TriedOpening{opening_m});
+}
+
+/// In vain: where one that was chosen has become floor, the way goes on. One that the robot was
+/// stopped on the way to is worth another try.
 bool Frontier::was_tried(const Eigen::Vector2d& opening_m, const RasterMap& map) const {
-  const auto is_near = [&](const Eigen::Vector2d& tried_m) {
-    return (tried_m - opening_m).norm() < params_.openings_apart_m;
+  const auto is_near = [&](const Eigen::Vector2d& place_m) {
+    return (place_m - opening_m).norm() < params_.openings_apart_m;
   };
-  const auto is_in_vain = [&](const Eigen::Vector2d& tried_m) {
-    return is_near(tried_m) && map.state(map.cell_at(tried_m)) != CellState::kFree;
+  const auto is_in_vain = [&](const TriedOpening& tried) {
+    return is_near(tried.at_m) && (tried.is_reached || tried.tries >= params_.opening_tries) &&
+           map.state(map.cell_at(tried.at_m)) != CellState::kFree;
   };
-  const auto& obstacles_m = navigator_.obstacles_m();
-  return std::any_of(openings_m_.begin(), openings_m_.end(), is_in_vain) ||
-         std::any_of(obstacles_m.begin(), obstacles_m.end(), is_near);
+  return std::ranges::any_of(openings_, is_in_vain) ||
+         std::ranges::any_of(navigator_.obstacles_m(), is_near);
 }
 
 /// On along the way; where it ends, or has taken too long, the sweep.
@@ -274,8 +282,12 @@ Motion Frontier::drive_on(const pipeline::Snapshot& snapshot) {
   if (const auto motion = navigator_.next(snapshot.latest.T_map_robot)) {
     return *motion;
   }
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): it drives to a goal
+  // NOLINTBEGIN(bugprone-unchecked-optional-access): it drives to a goal
+  if (goal_kind_ == IntentKind::kOpening) {
+    opening_at(goal_->at_m).is_reached = true;
+  }
   return begin_sweep(snapshot, goal_->view);
+  // NOLINTEND(bugprone-unchecked-optional-access)
 }
 
 Motion Frontier::begin_sweep(const pipeline::Snapshot& snapshot, const BestView& view) {

@@ -39,6 +39,8 @@ struct FrontierParams {
   double fine_gain_m2 = 0.03;
   /// An opening so near to one that was chosen before, or to a bump, is the same one.
   double openings_apart_m = 0.3;
+  /// One that the robot was stopped on the way to is chosen so often.
+  std::size_t opening_tries = 3;
   /// End after this many stops.
   std::size_t max_stops = 40;
   /// A look that somebody else has promised is left to them, unless this robot has one within
@@ -68,6 +70,12 @@ class Frontier final : public Explorer {
 
  private:
   enum class Phase : std::uint8_t { kStarting, kDriving, kSensing, kBackingOff };
+  /// An opening that was chosen.
+  struct TriedOpening {
+    Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
+    std::size_t tries = 0;
+    bool is_reached = false;
+  };
 
   std::optional<Motion> recover(const pipeline::Snapshot& snapshot, MotionResult last);
   std::optional<FinishReason> reason_to_finish(const pipeline::Snapshot& snapshot);
@@ -86,6 +94,7 @@ class Frontier final : public Explorer {
   bool has_enough(const pipeline::Snapshot& snapshot) const;
   std::optional<Viewpoint> choose_opening(const mapping::RasterMap& map,
                                           const pipeline::Snapshot& snapshot);
+  TriedOpening& opening_at(const Eigen::Vector2d& opening_m);
   bool was_tried(const Eigen::Vector2d& opening_m, const mapping::RasterMap& map) const;
   Motion drive_on(const pipeline::Snapshot& snapshot);
   Motion begin_sweep(const pipeline::Snapshot& snapshot, const BestView& view);
@@ -99,8 +108,8 @@ class Frontier final : public Explorer {
   ScanPlan plan_;
   std::optional<Viewpoint> goal_;
   IntentKind goal_kind_ = IntentKind::kSweep;
-  std::vector<WeighedPlace> weighed_;        ///< With the goal.
-  std::vector<Eigen::Vector2d> openings_m_;  ///< Those that were chosen, reached or not.
+  std::vector<WeighedPlace> weighed_;  ///< With the goal.
+  std::vector<TriedOpening> openings_;
 };
 
 }  // namespace echomap::exploration

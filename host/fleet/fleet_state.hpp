@@ -47,7 +47,8 @@ struct FleetMap {
 struct FleetRobot {
   std::string name;
   Attendance attendance = Attendance::kAlive;
-  double age_s = 0.0;  ///< Since it was heard.
+  double age_s = 0.0;     ///< Since it was heard.
+  bool is_heard = false;  ///< By itself; otherwise all that is known was kept by others.
   fleet_messages::RobotTraits traits;
   std::uint16_t map_number = 0;  ///< Of the map that it is making now.
   std::vector<FleetMap> maps;    ///< In ascending order of their numbers.

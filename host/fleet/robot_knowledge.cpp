@@ -86,6 +86,7 @@ FleetRobot RobotKnowledge::state(double now_s, double gone_after_s) const {
   robot.name = name_;
   robot.attendance = attendance(now_s, gone_after_s);
   robot.age_s = age_s(now_s);
+  robot.is_heard = is_heard_;
   if (presence_) {
     robot.traits = fleet_messages::to_traits(*presence_);
     robot.map_number = presence_->map_number;

@@ -31,6 +31,7 @@ class RobotKnowledge {
   /// The robot itself has been heard.
   void hear(double now_s) {
     heard_s_ = now_s;
+    is_heard_ = true;
     is_lost_ = false;
   }
   /// The broker or somebody else has kept something of it: it counts from then on, where it was not
@@ -74,6 +75,7 @@ class RobotKnowledge {
 
   std::string name_;
   std::optional<double> heard_s_;
+  bool is_heard_ = false;
   bool is_lost_ = false;
   std::optional<fleet_messages::PresenceMessage> presence_;
   std::optional<FleetPose> pose_;

@@ -129,8 +129,21 @@ void FleetMember::tell_pose(double now_s) {
   exchange_.set_pose({pose.T_map_robot, pose.covariance.value_or(Eigen::Matrix3d::Zero())}, now_s);
 }
 
+void FleetMember::use_told() {
+  for (const fleet::FleetRobot& robot : state_.robots) {
+    const auto told = robot.maps.empty() ? told_.end() : told_.find(robot.name);
+    if (told != told_.end()) {
+      picture_.tell(map_name(params_.exchange.robot, exchange_.map_number()),
+                    map_name(robot.name, robot.map_number),
+                    told->second);
+      told_.erase(told);
+    }
+  }
+}
+
 void FleetMember::look() {
   tell_stops();
+  use_told();
   if (picture_.take(state_)) {
     // The first of a component tells where all of it lie; the others could compute the same.
     exchange_.set_alignment(picture_.alignment(params_.exchange.robot, exchange_.map_number()));

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,11 +63,10 @@ class FleetMember final : public SearchBoard {
   void tell_search(const fleet_messages::SearchReport& report) override;
   /// The robot's snapshot with the map of all joined robots in place of its own.
   pipeline::Snapshot known();
-  /// From now on this holds of where two robots started, whatever walls say.
-  void tell(const std::string& robot,
-            const std::string& peer,
-            const team_map::RelativePose& relative) {
-    picture_.tell(robot, peer, relative);
+  /// Where the map that a peer makes lies in this robot's map, whatever walls say: of the maps that
+  /// the two make when the peer is heard first.
+  void tell(const std::string& peer, const team_map::RelativePose& relative) {
+    told_[peer] = relative;
   }
   /// Says good-bye.
   void leave();
@@ -86,6 +86,7 @@ class FleetMember final : public SearchBoard {
   void tell_pose(double now_s);
   void begin_map();
   void look();
+  void use_told();
   /// Those that may stand in the sonar's beam now.
   std::vector<team_exploration::Peer> peers() const;
   /// What an echo is weighed by while it is not known where others are.
@@ -102,6 +103,7 @@ class FleetMember final : public SearchBoard {
   std::unique_ptr<team_map::SubmapRecorder> recorder_;
   std::unique_ptr<SourceRecorder> source_recorder_;  ///< Null of a robot that does not search.
   std::optional<fleet_messages::SearchMessage> told_search_;
+  std::map<std::string, team_map::RelativePose> told_;  ///< By peers that were not heard yet.
   session::RobotContext::StepListener listener_;
   fleet::FleetState state_;
   std::size_t told_stops_ = 0;   ///< Of the pipeline.

@@ -79,10 +79,10 @@ bool TeamPicture::take(const FleetState& state) {
   return team_.update();
 }
 
-void TeamPicture::tell(const std::string& robot,
-                       const std::string& peer,
+void TeamPicture::tell(const std::string& own_map,
+                       const std::string& peer_map,
                        const team_map::RelativePose& relative) {
-  team_.tell({map_name(robot, 0), map_name(peer, 0), relative});
+  team_.tell({own_map, peer_map, relative});
 }
 
 std::optional<team_map::RelativePose> TeamPicture::relative_pose(const std::string& own_map,

@@ -25,9 +25,9 @@ class TeamPicture {
   /// Takes what is known now. Joins and aligns where a record has changed, which may take a second;
   /// answers whether maps or their relative poses have changed.
   bool take(const fleet::FleetState& state);
-  /// From now on this holds of the first map of two robots, whatever walls say.
-  void tell(const std::string& robot,
-            const std::string& peer,
+  /// From now on this holds of two maps, whatever walls say.
+  void tell(const std::string& own_map,
+            const std::string& peer_map,
             const team_map::RelativePose& relative);
 
   /// The fleet in the frame of a map of `robot`, without that robot. Robots whose maps are not

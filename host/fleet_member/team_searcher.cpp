@@ -80,7 +80,7 @@ Motion TeamSearcher::decide(const Snapshot& snapshot,
 }
 
 /// In the order in which they came: what is behind those known is new. Where a robot has fewer than
-/// before, as one that has begun another map, the order begins anew.
+/// before, as one that has begun another map, the order starts again.
 std::vector<FieldReading> TeamSearcher::all_readings(const Snapshot& snapshot,
                                                      const SearchView& others) {
   std::map<std::string, std::vector<FieldReading>> by_map;

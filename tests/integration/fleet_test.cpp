@@ -74,10 +74,10 @@ TEST_F(Fleet, IsAFunctionOfItsSeedThoughItsBrokerIsReal) {
 
 TEST_F(Fleet, IsSeenRecordedAndDrawnByThoseWhoLookOn) {
   Program fleet("echomap", start("run"), scratch / "start_log");
-  const auto hub = credentials("run", "hub");
-  ASSERT_TRUE(eventually([&] { return exists(hub); }));
+  const auto watch = credentials("run", "watch");
+  ASSERT_TRUE(eventually([&] { return exists(watch); }));
   const auto with = [&](std::vector<std::string> words) {
-    words.insert(words.end(), {"--as", hub.string()});
+    words.insert(words.end(), {"--as", watch.string()});
     return words;
   };
   const auto record = scratch / "fleet.mcap";

@@ -63,8 +63,8 @@ inline fleet_messages::PoseRow brought_near(fleet_messages::PoseRow pose,
                                             const fleet_messages::PoseRow& middle,
                                             std::int64_t reach_mm) {
   const auto near_mm = [&](std::int32_t at_mm, std::int32_t middle_mm) {
-    const std::int64_t near_mm = middle_mm + at_mm % reach_mm;
-    return static_cast<std::int32_t>(std::clamp<std::int64_t>(near_mm, INT32_MIN, INT32_MAX));
+    const std::int64_t moved_mm = middle_mm + at_mm % reach_mm;
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(moved_mm, INT32_MIN, INT32_MAX));
   };
   pose.x_mm = near_mm(pose.x_mm, middle.x_mm);
   pose.y_mm = near_mm(pose.y_mm, middle.y_mm);

@@ -44,8 +44,7 @@ class BridgeTest : public testing::Test {
     for (const std::string kind : {"pose", "claim", "clock", "source/1", "ask"}) {
       robot->publish(site_topic(kind), kind, Delivery::kAtLeastOnce, false);
     }
-    for (const std::string kind :
-         {"presence", "graph/0", "submap/1", "submap/2", "source/3", "manifest/0"}) {
+    for (const std::string kind : {"presence", "graph/0", "submap/1", "submap/2", "manifest/0"}) {
       robot->publish(site_topic(kind), kind, Delivery::kAtLeastOnce, true);
     }
     EXPECT_TRUE(robot.is_acknowledged());
@@ -73,7 +72,6 @@ class BridgeTest : public testing::Test {
                                 region_topic("graph/0"),
                                 region_topic("submap/1"),
                                 region_topic("submap/2"),
-                                region_topic("source/3"),
                                 region_topic("manifest/0")};
 };
 

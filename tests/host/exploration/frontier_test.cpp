@@ -211,6 +211,23 @@ TEST(Frontier, StepsOnceIntoAnOpeningWhereNoLookIsWorthIt) {
   EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kComplete);
 }
 
+TEST(Frontier, TriesAnOpeningAgainThatItWasStoppedOnTheWayTo) {
+  FrontierParams params = no_look_is_worth_it();
+  Frontier explorer(params);
+  const auto snapshot = silent_corridor();
+  Motion motion = first_move(explorer, snapshot);
+  ASSERT_TRUE(explorer.goal());
+  EXPECT_GT(explorer.goal()->at_m.x(), 1.0);
+  explorer.next(snapshot, MotionResult::kTimedOut);
+  explorer.next(snapshot, MotionResult::kReached);
+  ASSERT_TRUE(explorer.goal());
+  EXPECT_GT(explorer.goal()->at_m.x(), 1.0);
+  for (int i = 0; i < 40 && !std::holds_alternative<Finished>(motion); ++i) {
+    motion = explorer.next(snapshot, MotionResult::kTimedOut);
+  }
+  EXPECT_TRUE(std::holds_alternative<Finished>(motion)) << "not for ever";
+}
+
 TEST(Frontier, GoesOnWhereAnOpeningHasBecomeFloor) {
   Frontier explorer(no_look_is_worth_it());
   auto snapshot = silent_corridor();

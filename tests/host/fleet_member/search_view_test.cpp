@@ -49,7 +49,7 @@ class SearchViewTest : public testing::Test {
     state.robots[1].search = report;
     state.revision = 1;
   }
-  void join() { picture.tell("a", "b", {T_a_b, 0.04, 0.02}); }
+  void join() { picture.tell("a.0", "b.0", {T_a_b, 0.04, 0.02}); }
   SearchView view() {
     picture.take(state);
     return search_view(state, picture, map_name("a", 0), "a", kPlaceStddevM);

@@ -40,7 +40,7 @@ class TeamPictureTest : public testing::Test {
                    tests::told_record("b", tests::room_of_posts(), tests::other_round_m(), 1.0))};
     state.revision = 1;
   }
-  void tell_where_b_started() { picture.tell("a", "b", {T_a_b, 0.1, 0.02}); }
+  void tell_where_b_started() { picture.tell("a.0", "b.0", {T_a_b, 0.1, 0.02}); }
 
   const Pose2 T_a_b = Pose2(2.0, 1.0, 1.0);
   fleet::FleetState state;
