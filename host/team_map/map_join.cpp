@@ -17,11 +17,13 @@ void validate(const SureEvidence& sure) {
       .at_least("max_loss_by_walls", sure.max_loss_by_walls, sure.max_loss)
       .at_least("max_range_rms_by_walls_m", sure.max_range_rms_by_walls_m, sure.max_range_rms_m)
       .within("max_rival_share", sure.max_rival_share, 0.0, 1.0)
-      .within("max_rival_wall_share", sure.max_rival_wall_share, 0.0, 1.0);
+      .within("max_rival_wall_share", sure.max_rival_wall_share, 0.0, 1.0)
+      .at_least("refuted_loss", sure.refuted_loss, sure.max_loss_by_walls);
 }
 
 void validate(const MapJoinParams& params) {
   geometry::ParameterValidator("map join")
+      .positive("min_stops", params.min_stops)
       .positive("judged", params.judged)
       .positive("agreeing_looks", params.agreeing_looks)
       .positive("same_m", params.same_m)
@@ -32,7 +34,15 @@ void validate(const MapJoinParams& params) {
 }
 
 void MapJoin::update(const RobotMap& first, const RobotMap& second) {
-  joined_ ? check(first, second) : look(first, second);
+  if (joined_) {
+    check(first, second);
+  } else if (are_large_enough(first, second)) {
+    look(first, second);
+  }
+}
+
+bool MapJoin::are_large_enough(const RobotMap& first, const RobotMap& second) const {
+  return std::min(first.submaps().size(), second.submaps().size()) >= params_.min_stops;
 }
 
 void MapJoin::look(const RobotMap& first, const RobotMap& second) {
@@ -84,6 +94,9 @@ void MapJoin::undo() {
 void MapJoin::try_at(const RobotMap& first,
                      const RobotMap& second,
                      const geometry::Pose2& T_first_second) {
+  if (!are_large_enough(first, second)) {
+    return;
+  }
   const geometry::Pose2 refined = refined_placement(first, second, T_first_second);
   const bool stays = slam::is_near(T_first_second, refined, params_.same_m, params_.same_rad);
   const geometry::Pose2& tried = stays ? refined : T_first_second;
@@ -115,8 +128,10 @@ bool MapJoin::is_sure(const SureEvidence& sure) const {
 bool MapJoin::has_rival(const SureEvidence& sure) const {
   const JudgedPlacement& best = judged_.front();
   return std::any_of(judged_.begin() + 1, judged_.end(), [&](const JudgedPlacement& other) {
+    const bool is_refuted = other.evidence.readings >= sure.min_readings &&
+                            other.evidence.loss_per_reading() > sure.refuted_loss;
     return other.evidence.weight() > sure.max_rival_share * best.evidence.weight() ||
-           other.wall_weight_m > sure.max_rival_wall_share * best.wall_weight_m;
+           (!is_refuted && other.wall_weight_m > sure.max_rival_wall_share * best.wall_weight_m);
   });
 }
 

@@ -27,8 +27,10 @@ struct SureEvidence {
   double max_range_rms_m = 0.033;
   /// such a share of its weight at most speaks for any other place, by readings,
   double max_rival_share = 0.6;
-  /// and by walls (mapping::MapPlacement), of which it has the most.
+  /// and by walls (mapping::MapPlacement), of which it has the most; but for places that lose more
+  /// than this of a reading, over min_readings: there readings speak against what walls say.
   double max_rival_wall_share = 0.85;
+  double refuted_loss = 1.0;
   /// Where walls leave no other place, as mapping::sure_placement asks, readings may agree less.
   double max_loss_by_walls = 0.6;
   double max_range_rms_by_walls_m = 0.037;
@@ -37,6 +39,8 @@ struct SureEvidence {
 /// When the maps of two robots are joined, and when they are taken apart again; ours as well.
 struct MapJoinParams {
   mapping::MapPlacementParams placement;
+  /// A map of fewer stops shows one place, which may look like others: it is not joined.
+  std::size_t min_stops = 3;
   /// Of the placements that walls and floor speak for, so many of the best are judged by readings.
   std::size_t judged = 4;
   /// So many looks in a row agree on it, within same_m and same_rad.
@@ -87,6 +91,7 @@ class MapJoin {
   std::size_t undone() const { return undone_; }
 
  private:
+  bool are_large_enough(const RobotMap& first, const RobotMap& second) const;
   void look(const RobotMap& first, const RobotMap& second);
   void check(const RobotMap& first, const RobotMap& second);
   void join(const geometry::Pose2& T_first_second);

@@ -88,6 +88,7 @@ inline void make_consistent(fleet_messages::SubmapMessage& message) {
     pose = brought_near(pose, first, fleet_messages::kMaxSubmapReachMm);
   };
   std::ranges::for_each(message.readings, bring_near, &fleet_messages::ReadingRow::T_odom_robot);
+  message.readings.front().T_odom_robot = first;
   std::ranges::for_each(message.T_odom_way, bring_near);
   std::ranges::for_each(message.contacts, bring_near, &fleet_messages::ContactRow::T_odom_robot);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -12,23 +13,31 @@ namespace {
 using geometry::Pose2;
 
 OfflineTeamRun explore_corridor_rooms(const std::vector<Pose2>& starts,
-                                      const OfflineTeamSettings& settings = {}) {
+                                      const OfflineTeamSettings& settings = {},
+                                      std::uint32_t seed = 2) {
   return explore_as_team(
-      bundled_room("corridor_rooms"), bundled_robot("uno_2wd"), starts, 2, settings);
+      bundled_room("corridor_rooms"), bundled_robot("uno_2wd"), starts, seed, settings);
 }
 
 /// In the first room, and in the last.
 const std::vector<Pose2> kStarts{{1.0, 2.2, -1.5}, {4.6, 2.0, -1.5}};
 
-TEST(TeamInRooms, TwoAreSoonerDoneThanOneAndDoNotTouch) {
-  const auto alone = explore_corridor_rooms({kStarts.front()});
-  const auto both = explore_corridor_rooms(kStarts);
-  ASSERT_TRUE(alone.covered_s);
-  ASSERT_TRUE(both.covered_s);
-  EXPECT_LT(*both.covered_s, *alone.covered_s);
-  EXPECT_EQ(both.touches, 0U);
-  EXPECT_GT(both.members.front().stops, 0U);
-  EXPECT_GT(both.members.back().stops, 0U);
+// Now and then two are in each other's way for longer than they save.
+TEST(TeamInRooms, TwoAreMostlySoonerDoneThanOneAndDoNotTouch) {
+  double alone_s = 0.0;
+  double both_s = 0.0;
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    const auto alone = explore_corridor_rooms({kStarts.front()}, {}, seed);
+    const auto both = explore_corridor_rooms(kStarts, {}, seed);
+    ASSERT_TRUE(alone.covered_s);
+    ASSERT_TRUE(both.covered_s);
+    alone_s += *alone.covered_s;
+    both_s += *both.covered_s;
+    EXPECT_EQ(both.touches, 0U);
+    EXPECT_GT(both.members.front().stops, 0U);
+    EXPECT_GT(both.members.back().stops, 0U);
+  }
+  EXPECT_LT(both_s, 0.85 * alone_s);
 }
 
 TEST(TeamInRooms, AllFinishWithTheMapOfAll) {

@@ -34,7 +34,8 @@ TEST_F(MapJoinTest, JoinsMapsOfOneRoomWhereTwoLooksAgree) {
   for (std::size_t stops = 1; stops <= 8; ++stops) {
     stop(stops);
     join.update(first, second);
-    EXPECT_FALSE(stops < 3 && join.T_first_second()) << "of so little nobody is sure";
+    EXPECT_FALSE(stops <= MapJoinParams{}.min_stops && join.T_first_second())
+        << "of so little nobody is sure";
   }
   ASSERT_TRUE(join.T_first_second());
   const Pose2 T_true = tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0);
