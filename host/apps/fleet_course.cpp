@@ -91,7 +91,8 @@ double member_share(const MemberReport& member, const std::vector<JudgedMap>& ma
   add_seen(*own, now_s, seen);
   for (const LoggedJoin& join : member.joins) {
     const JudgedMap* peer = find_map(maps, join.peer_map);
-    if (peer != nullptr && join.own_map == own->name && holds_at(join, now_s)) {
+    if (peer != nullptr && join.own_map == own->name && holds_at(join, now_s) &&
+        !is_wrong(join, maps)) {
       add_seen(*peer, now_s, seen);
     }
   }
@@ -109,6 +110,9 @@ std::vector<double> times_s(const std::vector<JudgedMap>& maps,
   for (const MemberReport& member : members) {
     for (const LoggedJoin& join : member.joins) {
       times_s.push_back(join.from_s);
+      if (join.until_s) {
+        times_s.push_back(*join.until_s);
+      }
     }
   }
   std::ranges::sort(times_s);

@@ -52,6 +52,15 @@ std::vector<std::string> robot_names(std::size_t robots) {
   return names;
 }
 
+/// What a member that dies would leave of a run before this one.
+void forget_earlier_run(const fs::path& out, const std::vector<std::string>& robots) {
+  fs::remove_all(out / "truth");
+  for (const std::string& robot : robots) {
+    fs::remove(out / robot / "summary.json");
+    fs::remove(out / robot / "source.json");
+  }
+}
+
 broker::BrokerSettings broker_settings(const FleetStartOptions& options) {
   broker::BrokerSettings settings;
   settings.fleet = kFleet;
@@ -112,6 +121,13 @@ class Members {
       exits[names_[i]] = statuses_[i] ? nlohmann::ordered_json(*statuses_[i]) : nullptr;
     }
     return exits;
+  }
+  /// Whether one ended otherwise than by saying what became of its run.
+  bool has_lost_one() const {
+    return std::ranges::any_of(statuses_, [](const std::optional<int>& status) {
+      return status != static_cast<int>(ExitCode::kOk) &&
+             status != static_cast<int>(ExitCode::kUnfinished);
+    });
   }
   /// Those that did not get what they were asked for: "robot1 (exit 8)".
   std::vector<std::string> unfinished() const {
@@ -255,7 +271,7 @@ nlohmann::ordered_json source_findings(const fleet::FleetState& state,
     auto finding = told_report({robot.name, *robot.search, robot.search->at_m});
     finding["found_radius_m"] = source_search::SourceBeliefParams().found_radius_m;
     if (robot.search_map_number == 0) {
-      add_source_truth(out / "truth" / robot.name / "source.json", finding);
+      add_source_truth(truth_folder(out, robot.name) / "source.json", finding);
     }
     const auto relative = picture.team().relative_pose(
         first_map, fleet_member::map_name(robot.name, robot.search_map_number));
@@ -270,9 +286,15 @@ nlohmann::ordered_json source_findings(const fleet::FleetState& state,
   return findings;
 }
 
-/// How a fleet has ended that searches a source: as the first of it that is sure says.
-RunEnding ending_of_fleet_search(const nlohmann::ordered_json& findings, RunEnding maps) {
-  if (findings.empty() || maps.code == ExitCode::kInterrupted) {
+/// How a fleet has ended that searches a source: as the first of it that is sure says, where nobody
+/// says otherwise and none was lost.
+RunEnding ending_of_fleet_search(const nlohmann::ordered_json& findings,
+                                 bool has_lost_member,
+                                 RunEnding maps) {
+  if (maps.code == ExitCode::kInterrupted) {
+    return maps;
+  }
+  if (findings.empty()) {
     if (maps.code == ExitCode::kOk) {
       maps.code = ExitCode::kUnfinished;
       maps.outcome = "unsure";
@@ -281,6 +303,14 @@ RunEnding ending_of_fleet_search(const nlohmann::ordered_json& findings, RunEndi
     return maps;
   }
   RunEnding ending = ending_of_search({}, findings.front(), {});
+  const bool is_contradicted = std::ranges::any_of(findings, [&](const auto& finding) {
+    return finding["verdict"] != findings.front()["verdict"];
+  });
+  if (is_contradicted || has_lost_member) {
+    ending.code = ExitCode::kUnfinished;
+    ending.outcome = is_contradicted ? "contradicted" : "member-lost";
+    ending.why += is_contradicted ? "; another robot says otherwise" : "; a robot was lost";
+  }
   ending.why += "; " + maps.why;
   ending.next = maps.next;
   return ending;
@@ -299,6 +329,7 @@ ExitCode run_fleet_start(const FleetStartOptions& options) {
       options.robot.body.empty() ? profile.name : options.robot.body, "hil_mock/robots", "body");
   const fs::path out = fs::absolute(run_folder(run.out));
   prepare_outputs(out, run.json, run.force);
+  forget_earlier_run(out, robot_names(options.robot.robots));
   broker::Broker broker(broker_settings(options), out / "broker");
   console::print(fmt::format("broker of the fleet '{}' at {}:{}; look on by --as {}",
                              kFleet,
@@ -328,7 +359,7 @@ ExitCode run_fleet_start(const FleetStartOptions& options) {
   const std::string map = latest_map(watch.state(), members.names().front());
   if (options.search) {
     findings = source_findings(watch.state(), picture, map, out);
-    ending = ending_of_fleet_search(findings, std::move(ending));
+    ending = ending_of_fleet_search(findings, members.has_lost_one(), std::move(ending));
   }
   describe_ending(ending, summary);
   summary.wall_seconds =

@@ -99,6 +99,9 @@ std::optional<Motion> Frontier::recover(const pipeline::Snapshot& snapshot, Moti
     return std::nullopt;
   }
   auto motion = navigator_.recover(snapshot, last, phase_ == Phase::kDriving);
+  if (motion && phase_ == Phase::kDriving && goal_ && goal_kind_ == IntentKind::kOpening) {
+    ++opening_at(goal_->at_m).bumps;
+  }
   phase_ = motion ? Phase::kBackingOff : phase_;
   return motion;
 }
@@ -240,7 +243,6 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
     return std::nullopt;
   }
   navigator_.forget_failures();
-  ++opening_at(nearest->at_m).tries;
   nearest->cost_m += params_.openings.step_m;
   RasterMap stepped = map;
   const double radius_m = params_.openings.step_m + 2.0 * map.resolution_m();
@@ -270,7 +272,7 @@ bool Frontier::was_tried(const Eigen::Vector2d& opening_m, const RasterMap& map)
     return (place_m - opening_m).norm() < params_.openings_apart_m;
   };
   const auto is_in_vain = [&](const TriedOpening& tried) {
-    return is_near(tried.at_m) && (tried.is_reached || tried.tries >= params_.opening_tries) &&
+    return is_near(tried.at_m) && (tried.is_reached || tried.bumps >= params_.opening_tries) &&
            map.state(map.cell_at(tried.at_m)) != CellState::kFree;
   };
   return std::ranges::any_of(openings_, is_in_vain) ||

@@ -70,10 +70,10 @@ class Frontier final : public Explorer {
 
  private:
   enum class Phase : std::uint8_t { kStarting, kDriving, kSensing, kBackingOff };
-  /// An opening that was chosen.
+  /// An opening that the robot was on the way to.
   struct TriedOpening {
     Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
-    std::size_t tries = 0;
+    std::size_t bumps = 0;  ///< On the way there.
     bool is_reached = false;
   };
 

@@ -55,6 +55,7 @@ FleetMember::FleetMember(session::RobotContext& robot,
 FleetMember::~FleetMember() { robot_.put_before_maps(robot_.atlas()); }
 
 void FleetMember::begin_map() {
+  unplaced_filter_.forget_places();
   if (source_recorder_) {
     behind_filter_.remove(*source_recorder_);
   }

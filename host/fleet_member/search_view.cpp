@@ -101,7 +101,9 @@ SearchView search_view(const fleet::FleetState& state,
         view.plans.push_back({relative->T_own_peer * dwell.at_m, dwell.dwell_s});
       }
     }
-    if (other.search->verdict != SourceVerdict::kUndecided && !view.finding) {
+    // What the broker has kept of a robot that is not here may be of another search.
+    const bool is_of_now = other.is_heard && other.search->verdict != SourceVerdict::kUndecided;
+    if (is_of_now && !view.finding) {
       view.finding = TeamFinding{other.name, *other.search, std::nullopt};
       if (relative && other.search->verdict == SourceVerdict::kFound) {
         view.finding->at_m = relative->T_own_peer * other.search->at_m;

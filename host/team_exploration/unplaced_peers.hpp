@@ -55,6 +55,9 @@ class UnplacedPeerFilter final : public pipeline::AnyObservationSink {
   /// Echoes that were taken for those of other robots.
   std::size_t echoes_of_peers() const { return echoes_; }
 
+  /// Another map begins: places of the one before are none of it.
+  void forget_places() { places_.clear(); }
+
  private:
   /// Echoes of one compact thing at this stop.
   struct Thing {

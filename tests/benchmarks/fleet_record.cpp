@@ -86,7 +86,7 @@ fs::path record_a_fleet(const fs::path& folder) {
   const fs::path program = session::program_folder() / "echomap";
   const fs::path out = folder / "fleet";
   const fs::path record = folder / "fleet.mcap";
-  const fs::path hub = out / "broker" / "members" / "hub.toml";
+  const fs::path watch = out / "broker" / "members" / "watch.toml";
   session::ChildProcess fleet({program,
                                "fleet",
                                "start",
@@ -98,11 +98,11 @@ fs::path record_a_fleet(const fs::path& folder) {
                                "--force",
                                "--out=" + out.string()},
                               folder / "fleet.log");
-  if (!tests::eventually([&] { return fs::exists(hub) || fleet.exit_status(); })) {
+  if (!tests::eventually([&] { return fs::exists(watch) || fleet.exit_status(); })) {
     throw std::runtime_error("the fleet to record has no broker");
   }
   session::ChildProcess recorder(
-      {program, "fleet", "record", "--as=" + hub.string(), "--force", "--out=" + record.string()},
+      {program, "fleet", "record", "--as=" + watch.string(), "--force", "--out=" + record.string()},
       folder / "record.log");
   if (!fleet.wait_for(std::chrono::minutes(10))) {
     throw std::runtime_error("the fleet to record does not end");

@@ -23,6 +23,7 @@ fleet::FleetRobot reader(const std::string& name,
                          team_map::RobotRecord record,
                          const std::vector<fleet_messages::SourceBatch>& batches) {
   fleet::FleetRobot robot;
+  robot.is_heard = true;
   robot.name = name;
   fleet::FleetMap map;
   map.record = std::make_shared<const team_map::RobotRecord>(std::move(record));
@@ -108,6 +109,9 @@ TEST_F(SearchViewTest, HasAFindingOfAnybody) {
   ASSERT_TRUE(view().finding);
   EXPECT_EQ(view().finding->robot, "b");
   EXPECT_FALSE(view().finding->at_m) << "who knows where its map lies";
+  state.robots[1].is_heard = false;
+  EXPECT_FALSE(view().finding) << "kept by the broker: of an earlier search";
+  state.robots[1].is_heard = true;
   join();
   state.revision = 2;
   const auto finding = view().finding;
