@@ -76,9 +76,7 @@ class FleetMember final : public SearchBoard {
   /// The map of all joined robots in its frame; null before its first stop.
   const team_map::MergedMap* merged();
   const fleet::FleetExchange& fleet() const { return exchange_; }
-  const TeamPicture& picture() const { return picture_; }
   const JoinLog& joins() const { return joins_; }
-  const team_exploration::PeerEchoFilter& echoes() const { return filter_; }
 
  private:
   void step();
