@@ -43,17 +43,6 @@ double shared_m2(const RobotMap& first, const RobotMap& second, const Pose2& T_f
   return static_cast<double>(cells) * one.resolution_m() * one.resolution_m();
 }
 
-double error_m(const Pose2& T_world_map,
-               const std::vector<Pose2>& T_map_submaps,
-               const TeamRecording& truth) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < T_map_submaps.size(); ++i) {
-    sum += ((T_world_map * T_map_submaps[i]).position_m() - truth.T_world_submaps[i].position_m())
-               .squaredNorm();
-  }
-  return std::sqrt(sum / static_cast<double>(T_map_submaps.size()));
-}
-
 double ms_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
@@ -66,8 +55,8 @@ void look(const std::string& label,
   const auto [a, b] = pair;
   const Pose2 T_true = team[a].T_world_start.inverse() * team[b].T_world_start;
   const double shared = shared_m2(maps[a], maps[b], T_true);
-  const double own_m = error_m(team[a].T_world_start, maps[a].T_map_submaps(), team[a]) +
-                       error_m(team[b].T_world_start, maps[b].T_map_submaps(), team[b]);
+  const double own_m = team[a].error_m(team[a].T_world_start, maps[a].T_map_submaps()) +
+                       team[b].error_m(team[b].T_world_start, maps[b].T_map_submaps());
   const auto begin = Clock::now();
   auto found = echomap::mapping::find_placements(maps[a].map(), maps[b].map());
   const double find_ms = ms_since(begin);
@@ -103,7 +92,7 @@ void look(const std::string& label,
         T.x_m(),
         T.y_m(),
         T.heading_rad(),
-        error_m(team[a].T_world_start * T, maps[b].T_map_submaps(), team[b]),
+        team[b].error_m(team[a].T_world_start * T, maps[b].T_map_submaps()),
         std::abs(echomap::geometry::degrees(
             echomap::geometry::angle_between(T_true.heading_rad(), T.heading_rad()))),
         own_m,

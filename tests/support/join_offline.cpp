@@ -18,18 +18,6 @@ using echomap::geometry::Pose2;
 using echomap::tests::TeamRecording;
 using Team = std::vector<TeamRecording>;
 
-/// Metres between a robot's submaps as placed and as they truly lie, root mean square.
-double error_m(const Pose2& T_world_map,
-               const std::vector<Pose2>& T_map_submaps,
-               const TeamRecording& truth) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < T_map_submaps.size(); ++i) {
-    sum += ((T_world_map * T_map_submaps[i]).position_m() - truth.T_world_submaps[i].position_m())
-               .squaredNorm();
-  }
-  return std::sqrt(sum / static_cast<double>(T_map_submaps.size()));
-}
-
 struct Outcome {
   double joined_s = -1.0;  ///< From here on to the end.
   double error_m = 0.0;
@@ -62,8 +50,8 @@ bool is_right(const Team& team,
   const auto& T_a = team[a].stops[stops[a] - 1].T_map_submaps;
   const auto& T_b = team[b].stops[stops[b] - 1].T_map_submaps;
   outcome.final_own_m =
-      error_m(team[a].T_world_start, T_a, team[a]) + error_m(team[b].T_world_start, T_b, team[b]);
-  outcome.final_error_m = error_m(team[a].T_world_start * relative->T_own_peer, T_b, team[b]);
+      team[a].error_m(team[a].T_world_start, T_a) + team[b].error_m(team[b].T_world_start, T_b);
+  outcome.final_error_m = team[b].error_m(team[a].T_world_start * relative->T_own_peer, T_b);
   const Pose2 T_true = team[a].T_world_start.inverse() * team[b].T_world_start;
   outcome.heading_error_deg = std::abs(echomap::geometry::degrees(
       echomap::geometry::angle_between(T_true.heading_rad(), relative->T_own_peer.heading_rad())));

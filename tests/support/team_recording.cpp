@@ -244,6 +244,16 @@ team_map::RobotRecord TeamRecording::after(std::size_t stops_made) const {
   return told;
 }
 
+double TeamRecording::error_m(const geometry::Pose2& T_world_map,
+                              const std::vector<geometry::Pose2>& T_map_submaps) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < T_map_submaps.size(); ++i) {
+    sum += ((T_world_map * T_map_submaps[i]).position_m() - T_world_submaps[i].position_m())
+               .squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(T_map_submaps.size()));
+}
+
 std::vector<Pose2> team_starts(const world::FloorPlan& plan,
                                std::size_t robots,
                                double path_m,

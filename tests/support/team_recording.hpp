@@ -30,6 +30,9 @@ struct TeamRecording {
 
   /// What the robot has told after so many stops.
   team_map::RobotRecord after(std::size_t stops) const;
+  /// Metres between its submaps as placed and as they truly lie, root mean square.
+  double error_m(const geometry::Pose2& T_world_map,
+                 const std::vector<geometry::Pose2>& T_map_submaps) const;
 };
 
 /// Starts of so many robots, drawn: at least `path_m` of way apart from each other.
