@@ -55,6 +55,9 @@ void validate(const FrontierParams& params) {
       .positive("openings.step_m", params.openings.step_m)
       .positive("openings.half_width_m", params.openings.half_width_m)
       .positive("openings.far_m", params.openings.far_m)
+      .positive("doors.min_width_m", params.doors.min_width_m)
+      .positive("doors.told_apart_m", params.doors.told_apart_m)
+      .positive("doors.max_distance_m", params.doors.max_distance_m)
       .positive("max_stops", params.max_stops)
       .at_least("contest_m", params.contest_m, 0.0)
       .at_least("outbid", params.outbid, 1.0);
@@ -161,7 +164,8 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
 }
 
 /// A look, and before one that is out of sight of known walls the stop that makes the position
-/// known again; without a look an opening, or a finer look. The robot's own stops are in `own`.
+/// known again; without a look an opening, a finer look, or one at what may be a door. The robot's
+/// own stops are in `own`.
 std::optional<Viewpoint> Frontier::choose_goal(const RasterMap& map,
                                                const pipeline::Snapshot& known,
                                                const pipeline::Snapshot& own) {
@@ -175,7 +179,23 @@ std::optional<Viewpoint> Frontier::choose_goal(const RasterMap& map,
     return opening;
   }
   goal_kind_ = IntentKind::kFrontier;
-  return has_enough(known) ? std::nullopt : choose_look(map, known, params_.fine_gain_m2);
+  const auto fine =
+      has_enough(known) ? std::nullopt : choose_look(map, known, params_.fine_gain_m2);
+  return fine ? fine : choose_door(map, known);
+}
+
+/// At the end, so that no room is left behind a door that was taken for a wall.
+std::optional<Viewpoint> Frontier::choose_door(const RasterMap& map,
+                                               const pipeline::Snapshot& snapshot) {
+  const auto doors =
+      possible_doors(map, snapshot.features->unheard, views_of(*snapshot.scans), params_.doors);
+  const auto stand =
+      nearest_door_stand(map, doors, navigator_.travel(), door_stands_m_, params_.doors);
+  if (!stand) {
+    return std::nullopt;
+  }
+  door_stands_m_.push_back(stand->at_m);
+  return Viewpoint{stand->at_m, kAllRound, stand->cost_m, 0.0};
 }
 
 /// Of those that others have promised, the ones that this robot does not outbid are left to them.

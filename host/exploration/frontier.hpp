@@ -15,6 +15,7 @@
 #include "host/exploration/explorer.hpp"
 #include "host/exploration/navigator.hpp"
 #include "host/exploration/opening_search.hpp"
+#include "host/exploration/possible_doors.hpp"
 #include "host/exploration/round_sweep.hpp"
 #include "host/exploration/scan_plan.hpp"
 #include "host/exploration/view_gain.hpp"
@@ -28,6 +29,7 @@ struct FrontierParams {
   ViewGainParams gain;
   ViewpointParams viewpoints;
   OpeningParams openings;
+  PossibleDoorParams doors;
   ActiveLoopClosingParams loops;
   /// All round once, in steps of 4 degrees: a beam of 26 degrees then hears a wall seven times. A
   /// sweep of a sector is as dense.
@@ -92,6 +94,8 @@ class Frontier final : public Explorer {
                                double min_gain_m2) const;
   bool is_left_to_others(const Eigen::Vector2d& opening_m) const;
   bool has_enough(const pipeline::Snapshot& snapshot) const;
+  std::optional<Viewpoint> choose_door(const mapping::RasterMap& map,
+                                       const pipeline::Snapshot& snapshot);
   std::optional<Viewpoint> choose_opening(const mapping::RasterMap& map,
                                           const pipeline::Snapshot& snapshot);
   TriedOpening& opening_at(const Eigen::Vector2d& opening_m);
@@ -110,6 +114,7 @@ class Frontier final : public Explorer {
   IntentKind goal_kind_ = IntentKind::kSweep;
   std::vector<WeighedPlace> weighed_;  ///< With the goal.
   std::vector<TriedOpening> openings_;
+  std::vector<Eigen::Vector2d> door_stands_m_;  ///< That were tried.
 };
 
 }  // namespace echomap::exploration

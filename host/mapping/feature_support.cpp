@@ -28,6 +28,7 @@ void validate(const SurfaceMatchingParams& params) {
       .positive("range_tolerance_m", params.range_tolerance_m)
       .positive("wall_bearing_tolerance_rad", params.wall_bearing_tolerance_rad)
       .positive("post_bearing_tolerance_rad", params.post_bearing_tolerance_rad)
+      .at_least("foot_tolerance_m", params.foot_tolerance_m, 0.0)
       .positive("range_stddev_m", params.range_stddev_m)
       .positive("bearing_stddev_rad", params.bearing_stddev_rad)
       .positive("full_readings", params.full_readings)

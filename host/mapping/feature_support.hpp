@@ -21,6 +21,8 @@ struct SurfaceMatchingParams {
   /// its bearing only to several degrees, where a region is cut short on one side.
   double wall_bearing_tolerance_rad = 0.35;
   double post_bearing_tolerance_rad = 0.26;
+  /// It was heard at the foot of the perpendicular of a wall where it is longer by at most this.
+  double foot_tolerance_m = 0.025;
   /// Standard deviations for the fit.
   double range_stddev_m = 0.025;
   double bearing_stddev_rad = 0.14;

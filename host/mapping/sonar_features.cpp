@@ -24,24 +24,14 @@ std::vector<geometry::Segment> segments_of(const std::vector<MatchedWall>& walls
   return segments;
 }
 
-/// What completion has added to a wall.
-MatchedWall unobserved_of(const MatchedWall& heard, const MatchedWall& completed) {
-  MatchedWall unobserved{heard.normal_rad, heard.offset_m, {}};
-  for (const auto& piece : completed.pieces) {
-    double end_m = piece.from_m;
-    for (const auto& known : heard.pieces) {
-      if (known.from_m >= piece.from_m && known.to_m <= piece.to_m) {
-        if (known.from_m > end_m) {
-          unobserved.pieces.push_back({end_m, known.from_m});
-        }
-        end_m = known.to_m;
-      }
-    }
-    if (piece.to_m > end_m) {
-      unobserved.pieces.push_back({end_m, piece.to_m});
-    }
+/// What of the pieces of a wall lies beside others of it.
+MatchedWall left_of(const MatchedWall& wall, const std::vector<MatchedWall::Piece>& others) {
+  MatchedWall left{wall.normal_rad, wall.offset_m, {}};
+  for (const auto& piece : wall.pieces) {
+    const auto gaps = gaps_between(others, piece);
+    left.pieces.insert(left.pieces.end(), gaps.begin(), gaps.end());
   }
-  return unobserved;
+  return left;
 }
 
 /// Whether most of a feature's sightings run through walls.
@@ -132,10 +122,12 @@ SonarFeatures sonar_features(const MatchedSurfaces& matched,
       matched, scans, segments_of(completion.completed(matched)), params.image_clearance_m);
   const std::vector<MatchedWall> completed = completion.completed(real);
   std::vector<MatchedWall> unobserved;
+  std::vector<MatchedWall> unheard;
   for (std::size_t i = 0; i < completed.size(); ++i) {
-    unobserved.push_back(unobserved_of(real.walls[i], completed[i]));
+    unobserved.push_back(left_of(completed[i], real.walls[i].pieces));
+    unheard.push_back(left_of(completed[i], completed[i].heard));
   }
-  SonarFeatures features{segments_of(completed), {}, segments_of(unobserved)};
+  SonarFeatures features{segments_of(completed), {}, segments_of(unobserved), segments_of(unheard)};
   double max_radius_m = 0.0;
   for (const MatchedFeature& feature : real.features) {
     max_radius_m = std::max(max_radius_m, feature.feature.radius_m);

@@ -41,6 +41,9 @@ struct SonarFeatures {
   std::vector<FittedCircle> circles;
   /// Stretches of the walls that nobody has heard: gaps that were closed. The floor is to the left.
   std::vector<geometry::Segment> unobserved = {};
+  /// Those, and what no stop has had an answer from at right angles: the frame of a door sounds
+  /// like a wall from aside.
+  std::vector<geometry::Segment> unheard = {};
 };
 
 /// What is taken for solid. Ours, chosen in simulated rooms.

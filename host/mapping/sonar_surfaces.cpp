@@ -227,19 +227,52 @@ class RegionFinder {
   std::vector<std::size_t> rightwards_;
 };
 
+/// How far a wall reaches for sure to one side of the region's middle. Beyond the beam's edge its
+/// answers come from ever farther off: readings that are longer in the mean are of something else.
+double reach_m(const Region& region,
+               const std::vector<sensors::Beam>& looks,
+               const SonarSurfaceParams& params,
+               bool left) {
+  const double edge_rad = params.beam_edge * params.beam_half_angle_rad;
+  double longer_m = 0.0;
+  double farthest_rad = 0.0;
+  for (const std::size_t member : region.members) {
+    const double off_rad = geometry::angle_between(region.middle_rad(), looks[member].bearing_rad);
+    const double beyond_rad = (left ? off_rad : -off_rad) - edge_rad;
+    if (beyond_rad > 0.0) {
+      longer_m += looks[member].range_m.value_or(0.0) - params.max_longer_m -
+                  range_off_foot_m(region.range_m, std::abs(off_rad), params);
+      farthest_rad = std::max(farthest_rad, beyond_rad);
+    }
+  }
+  return longer_m <= 0.0 ? region.range_m * std::tan(farthest_rad) : 0.0;
+}
+
 SonarSurface surface_of(const Region& region,
                         const std::vector<sensors::Beam>& looks,
                         const SonarSurfaceParams& params) {
   const double wider_rad =
       std::max(0.0, region.half_width_rad() - params.beam_edge * params.beam_half_angle_rad);
   const double within_rad = std::min(region.half_width_rad(), kMaxAsideRad);
-  return {likely_bearing_rad(looks, region.middle_rad(), within_rad, region.range_m, params),
+  const double bearing_rad =
+      likely_bearing_rad(looks, region.middle_rad(), within_rad, region.range_m, params);
+  const double off_rad = geometry::angle_between(bearing_rad, region.bearing_rad);
+  return {bearing_rad,
           region.range_m,
           region.range_m * std::tan(wider_rad),
-          region.members.size()};
+          region.members.size(),
+          reach_m(region, looks, params, false),
+          reach_m(region, looks, params, true),
+          region.rightmost_rad + off_rad,
+          region.leftmost_rad + off_rad};
 }
 
 }  // namespace
+
+bool SonarSurface::is_heard_towards(double towards_rad) const {
+  const double off_rad = geometry::angle_between(bearing_rad, towards_rad);
+  return off_rad >= rightmost_rad && off_rad <= leftmost_rad;
+}
 
 ScanSurfaces moved(ScanSurfaces scan, const geometry::Pose2& T_to_from) {
   scan.center_m = T_to_from * scan.center_m;

@@ -30,17 +30,32 @@ std::vector<MatchedWall::Piece> joined(std::vector<MatchedWall::Piece> pieces,
   return joined;
 }
 
-MatchedWall wall_of(const SupportedFeature& found, double bridged_gap_m) {
+/// A smooth wall answers from the foot of the perpendicular: a stop that has heard nothing there,
+/// or something farther off, has heard the wall's end, as that of a door's frame.
+bool is_heard_at_foot(const Sighting& sighting,
+                      const MatchedWall& wall,
+                      const SurfaceMatchingParams& params) {
+  const double foot_range_m =
+      wall.offset_m - geometry::unit_vector(wall.normal_rad).dot(sighting.center_m);
+  return sighting.surface.is_heard_towards(wall.normal_rad) &&
+         sighting.surface.range_m - foot_range_m <= params.foot_tolerance_m;
+}
+
+MatchedWall wall_of(const SupportedFeature& found, const SurfaceMatchingParams& params) {
   MatchedWall wall;
   wall.normal_rad = geometry::wrap_angle(found.feature.value.y());
   wall.offset_m = found.feature.value.x();
   const Eigen::Vector2d along = geometry::perpendicular(geometry::unit_vector(wall.normal_rad));
   for (const Sighting& sighting : found.supporters) {
     const double foot_m = along.dot(sighting.center_m);
-    wall.pieces.push_back(
-        {foot_m - sighting.surface.half_length_m, foot_m + sighting.surface.half_length_m});
+    const SonarSurface& surface = sighting.surface;
+    wall.pieces.push_back({foot_m - surface.half_length_m, foot_m + surface.half_length_m});
+    if (is_heard_at_foot(sighting, wall, params)) {
+      wall.heard.push_back({foot_m - surface.right_m, foot_m + surface.left_m});
+    }
   }
-  wall.pieces = joined(std::move(wall.pieces), bridged_gap_m);
+  wall.pieces = joined(std::move(wall.pieces), params.bridged_gap_m);
+  wall.heard = joined(std::move(wall.heard), params.bridged_gap_m);
   return wall;
 }
 
@@ -213,7 +228,7 @@ MatchedSurfaces SurfaceMatcher::matched() const {
   MatchedSurfaces matched;
   for (const SupportedFeature& found : features_) {
     if (found.feature.kind == LandmarkKind::kWall) {
-      matched.walls.push_back(wall_of(found, params_.bridged_gap_m));
+      matched.walls.push_back(wall_of(found, params_));
     }
     matched.features.push_back({found.feature, {}});
     for (const Sighting& sighting : found.supporters) {

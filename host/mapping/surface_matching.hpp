@@ -23,6 +23,9 @@ struct MatchedWall {
   };
   /// In order, apart from each other.
   std::vector<Piece> pieces;
+  /// The same of those from which a stop has had an answer at right angles. Between them may be
+  /// doors.
+  std::vector<Piece> heard = {};
 };
 
 /// A feature and the sightings that it was made of.

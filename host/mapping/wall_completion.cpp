@@ -80,6 +80,31 @@ std::vector<Segment> sights_of(const MatchedSurfaces& matched,
 
 }  // namespace
 
+double end_excess_m(const Eigen::Vector2d& from_m, const Segment& gap) {
+  const Eigen::Vector2d along = (gap.to_m - gap.from_m).normalized();
+  const double foot_m = along.dot(from_m - gap.from_m);
+  const double inside_m = std::min(foot_m, gap.length_m() - foot_m);
+  const double distance_m = std::abs(geometry::cross(along, from_m - gap.from_m));
+  return inside_m > 0.0 ? std::hypot(inside_m, distance_m) - distance_m : 0.0;
+}
+
+std::vector<Piece> gaps_between(const std::vector<Piece>& heard, const Piece& piece) {
+  std::vector<Piece> gaps;
+  double end_m = piece.from_m;
+  for (const Piece& known : heard) {
+    if (known.to_m >= piece.from_m && known.from_m <= piece.to_m) {
+      if (known.from_m > end_m) {
+        gaps.push_back({end_m, known.from_m});
+      }
+      end_m = std::max(end_m, known.to_m);
+    }
+  }
+  if (piece.to_m > end_m) {
+    gaps.push_back({end_m, piece.to_m});
+  }
+  return gaps;
+}
+
 WallCompletion::WallCompletion(const MatchedSurfaces& matched,
                                const std::vector<ScanSurfaces>& scans,
                                const std::vector<Eigen::Vector2d>& track_m,
@@ -95,13 +120,32 @@ WallCompletion::WallCompletion(const MatchedSurfaces& matched,
 std::vector<MatchedWall> WallCompletion::completed(const MatchedSurfaces& matched) const {
   std::vector<MatchedWall> walls = matched.walls;
   for (std::size_t i = 0; i < walls.size(); ++i) {
-    walls[i].pieces = bridged(matched.walls[i]);
+    walls[i].pieces = without_doors(matched.walls[i]);
+    walls[i].pieces = bridged(walls[i]);
     for (Piece& piece : walls[i].pieces) {
       piece.to_m = prolonged_m(matched, i, piece.to_m, 1.0);
       piece.from_m = prolonged_m(matched, i, piece.from_m, -1.0);
     }
   }
   return walls;
+}
+
+/// The pieces without the stretches that nobody has heard and that a stop right before them has
+/// told from a wall.
+std::vector<Piece> WallCompletion::without_doors(const MatchedWall& wall) const {
+  std::vector<Piece> pieces;
+  for (const Piece& piece : wall.pieces) {
+    double from_m = piece.from_m;
+    for (const Piece& gap : gaps_between(wall.heard, piece)) {
+      if (!is_closed({point_on(wall, gap.from_m), point_on(wall, gap.to_m)})) {
+        pieces.push_back({from_m, gap.from_m});
+        from_m = gap.to_m;
+      }
+    }
+    pieces.push_back({from_m, piece.to_m});
+  }
+  std::erase_if(pieces, [](const Piece& piece) { return piece.to_m <= piece.from_m; });
+  return pieces;
 }
 
 std::vector<Piece> WallCompletion::bridged(const MatchedWall& wall) const {
@@ -181,35 +225,46 @@ bool WallCompletion::is_closed(const Segment& gap) const {
     const double behind_m = std::abs(geometry::cross(along_gap, one.to_m - gap.from_m));
     return behind_m > params_.behind_m && geometry::cross_properly(one, gap);
   });
-  return !is_seen_through && !is_silent(gap) &&
+  return !is_seen_through && !is_heard_open(gap) &&
          std::none_of(track_.begin(), track_.end(), [&](const Segment& step) {
            return geometry::cross_properly(step, gap);
          });
 }
 
-/// A wall answers a stop from the foot of the perpendicular.
-bool WallCompletion::is_silent(const Segment& gap) const {
-  const Eigen::Vector2d along_gap = (gap.to_m - gap.from_m).normalized();
+bool WallCompletion::is_heard_open(const Segment& gap) const {
   return std::any_of(scans_.begin(), scans_.end(), [&](const ScanSurfaces& scan) {
-    const double foot_m = along_gap.dot(scan.center_m - gap.from_m);
-    const Eigen::Vector2d to_foot_m = gap.from_m + foot_m * along_gap - scan.center_m;
-    const double distance_m = to_foot_m.norm();
-    if (foot_m < params_.faced_inside_m || foot_m > gap.length_m() - params_.faced_inside_m ||
-        distance_m > params_.faced_range_m) {
-      return false;
-    }
-    const double bearing_rad = std::atan2(to_foot_m.y(), to_foot_m.x());
-    std::size_t looks = 0;
-    bool is_answered = false;
-    for (const sensors::Beam& look : scan.looks) {
-      if (std::abs(geometry::angle_between(bearing_rad, look.bearing_rad)) <=
-          params_.faced_half_angle_rad) {
-        ++looks;
-        is_answered |= look.range_m && *look.range_m <= distance_m + params_.behind_m;
+    return hears_open(scan, gap);
+  });
+}
+
+/// A wall answers a stop from the foot of the perpendicular, the frame of a door from where it is.
+bool WallCompletion::hears_open(const ScanSurfaces& scan, const Segment& gap) const {
+  const Eigen::Vector2d along_gap = (gap.to_m - gap.from_m).normalized();
+  const double foot_m = along_gap.dot(scan.center_m - gap.from_m);
+  const double inside_m = std::min(foot_m, gap.length_m() - foot_m);
+  const Eigen::Vector2d to_foot_m = gap.from_m + foot_m * along_gap - scan.center_m;
+  const double distance_m = to_foot_m.norm();
+  if (inside_m < params_.faced_inside_m || distance_m > params_.faced_range_m) {
+    return false;
+  }
+  const double bearing_rad = std::atan2(to_foot_m.y(), to_foot_m.x());
+  std::size_t looks = 0;
+  std::size_t answers = 0;
+  double farther_m = 0.0;
+  for (const sensors::Beam& look : scan.looks) {
+    if (std::abs(geometry::angle_between(bearing_rad, look.bearing_rad)) <=
+        params_.faced_half_angle_rad) {
+      ++looks;
+      if (look.range_m && *look.range_m <= distance_m + params_.behind_m) {
+        ++answers;
+        farther_m += *look.range_m - distance_m;
       }
     }
-    return looks > 0 && !is_answered;
-  });
+  }
+  const double excess_m = end_excess_m(scan.center_m, gap);
+  const bool is_of_ends = excess_m >= params_.told_apart_m && answers > 0 &&
+                          farther_m > 0.5 * excess_m * static_cast<double>(answers);
+  return (looks > 0 && answers == 0) || is_of_ends;
 }
 
 }  // namespace echomap::mapping

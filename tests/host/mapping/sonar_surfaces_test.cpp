@@ -51,6 +51,30 @@ TEST(FindSurfaces, HearsAPostOnlyAsWideAsTheBeam) {
   EXPECT_EQ(found.surfaces[0].half_length_m, 0.0);
 }
 
+TEST(FindSurfaces, HearsAWallTowardsTheFootAndToBothSides) {
+  const auto found = find_surfaces(scan_of({{{radians(45.0), 1.5}}}), kSurfaceParams);
+  const SonarSurface& wall = found.surfaces.at(0);
+  EXPECT_TRUE(wall.is_heard_towards(radians(45.0)));
+  EXPECT_FALSE(wall.is_heard_towards(radians(100.0)));
+  EXPECT_GT(wall.left_m, 0.1);
+  EXPECT_GT(wall.right_m, 0.1);
+}
+
+TEST(FindSurfaces, IsSureOfNoSideThatEndsInAnotherThing) {
+  // Beyond the beam's edge to the left a post answers from 7 cm behind the wall.
+  Scan scan = scan_of({{{0.0, 1.2}}});
+  for (PlacedReading& reading : scan) {
+    const double bearing_rad = geometry::wrap_angle(reading.T_map_sonar.heading_rad());
+    if (bearing_rad > radians(17.5) && bearing_rad < radians(38.0)) {
+      reading.range_m = 1.28;
+    }
+  }
+  const auto found = find_surfaces(scan, kSurfaceParams);
+  const SonarSurface& wall = found.surfaces.at(0);
+  EXPECT_EQ(wall.left_m, 0.0);
+  EXPECT_GT(wall.right_m, 0.0);
+}
+
 TEST(FindSurfaces, DropsAGhostThatIsHeardNowAndThen) {
   Scan scan = scan_of({{{0.0, 1.0}}});
   scan[15].range_m = 3.1;

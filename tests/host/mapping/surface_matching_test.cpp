@@ -39,6 +39,34 @@ TEST(MatchSurfaces, FitsAWallToTheRangesOfSeveralStops) {
   EXPECT_EQ(matched.features.at(0).supporters.size(), 3U);
 }
 
+/// The same with its outermost readings, which reach so far to both sides.
+ScanSurfaces heard_below_wall(double x_m, double y_m, double longer_m, double half_width_deg) {
+  ScanSurfaces scan = stop_below_wall(x_m, y_m, 0.0);
+  SonarSurface& surface = scan.surfaces.front();
+  surface.range_m += longer_m;
+  surface.rightmost_rad = -radians(half_width_deg);
+  surface.leftmost_rad = radians(half_width_deg);
+  surface.right_m = 0.1;
+  surface.left_m = 0.2;
+  return scan;
+}
+
+TEST(MatchSurfaces, HearsAWallOnlyWhereItAnswersAtRightAngles) {
+  auto from_aside = heard_below_wall(3.0, 0.9, 0.0, 5.0);
+  from_aside.surfaces.front().bearing_rad += radians(12.0);
+  const auto matched = match_surfaces({heard_below_wall(0.0, 0.0, 0.0, 17.0),
+                                       heard_below_wall(1.0, 0.5, 0.0, 17.0),
+                                       heard_below_wall(2.0, 0.2, 0.045, 17.0),
+                                       from_aside},
+                                      kMatchingParams);
+  ASSERT_EQ(matched.walls.size(), 1U);
+  ASSERT_EQ(matched.features.at(0).supporters.size(), 4U);
+  const auto& heard = matched.walls[0].heard;
+  ASSERT_EQ(heard.size(), 2U) << "one longer by 4 cm is of an end, as is one from aside";
+  // To the left of the stops is where x is smaller.
+  EXPECT_NEAR(heard[0].to_m - heard[0].from_m, 0.3, 1e-6);
+}
+
 TEST(MatchSurfaces, CrossesTheRangesToAPost) {
   const auto matched = match_surfaces({stop_near_post(0.0, 0.0, 8.0),
                                        stop_near_post(2.0, 0.2, -10.0),

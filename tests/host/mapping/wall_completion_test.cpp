@@ -98,6 +98,38 @@ TEST(WallCompletion, LeavesAGapOpenThatDidNotAnswerAStopBeforeIt) {
       << "no answer reaches that stop";
 }
 
+TEST(WallCompletion, TellsAGapFromAWallByHowFarItsEndsAre) {
+  // Ends half a metre beside the foot are 12 cm farther off than a wall would be, 0.25 m 3 cm.
+  EXPECT_EQ(completed(kTwoPieces, {before_the_gap(1.09)})[0].pieces.size(), 2U);
+  EXPECT_EQ(completed(kTwoPieces, {before_the_gap(1.04)})[0].pieces.size(), 1U);
+  EXPECT_EQ(completed(kTwoPieces, {before_the_gap(1.09, 0.25)})[0].pieces.size(), 1U)
+      << "too near to one end to tell";
+}
+
+TEST(WallCompletion, OpensWhatWasClaimedButNotHeard) {
+  std::vector<MatchedWall> claimed{{0.0, 2.0, {{-1.5, 1.5}}, {{-1.5, -0.5}, {0.5, 1.5}}}};
+  EXPECT_EQ(completed(claimed, {before_the_gap(1.02)})[0].pieces.size(), 1U);
+  EXPECT_EQ(completed(claimed, {before_the_gap(1.5)})[0].pieces.size(), 2U);
+  claimed[0].heard = {{-1.5, 1.5}};
+  EXPECT_EQ(completed(claimed, {before_the_gap(1.5)})[0].pieces.size(), 1U) << "it was heard";
+}
+
+TEST(EndExcessM, IsHowMuchFartherTheNearerEndIs) {
+  const geometry::Segment gap{{2.0, 0.0}, {2.0, 1.0}};
+  EXPECT_NEAR(end_excess_m({1.6, 0.3}, gap), 0.1, 1e-12);
+  EXPECT_NEAR(end_excess_m({1.6, 0.7}, gap), 0.1, 1e-12);
+  EXPECT_EQ(end_excess_m({1.6, -0.1}, gap), 0.0);
+}
+
+TEST(GapsBetween, AreWhatLiesBesideAndBetween) {
+  const auto gaps = gaps_between({{-2.0, -1.0}, {-0.5, 0.0}, {3.0, 4.0}}, {-1.5, 1.0});
+  ASSERT_EQ(gaps.size(), 2U);
+  EXPECT_EQ(gaps[0].from_m, -1.0);
+  EXPECT_EQ(gaps[0].to_m, -0.5);
+  EXPECT_EQ(gaps[1].from_m, 0.0);
+  EXPECT_EQ(gaps[1].to_m, 1.0);
+}
+
 TEST(WallCompletion, LeavesADoorOpenThatTheRobotHasDrivenThrough) {
   EXPECT_EQ(completed(kTwoPieces, {}, {{1.9, 0.0}, {2.1, 0.0}})[0].pieces.size(), 2U);
   EXPECT_EQ(completed(kTwoPieces, {}, {{1.9, 0.0}, {2.9, 0.0}})[0].pieces.size(), 1U)

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "host/exploration/possible_doors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/exploration/unobserved_walls.hpp"
+#include "host/geometry/angle.hpp"
+#include "host/mapping/wall_completion.hpp"
+
+namespace echomap::exploration {
+
+using geometry::Segment;
+using mapping::RasterMap;
+
+namespace {
+
+/// A stop that faces the wall, near enough to tell.
+bool tells(const RasterMap& map,
+           const PastView& view,
+           const Segment& wall,
+           const PossibleDoorParams& params) {
+  if (mapping::end_excess_m(view.from_m, wall) < params.told_apart_m) {
+    return false;
+  }
+  const auto bearing_rad = facing_rad(map, view.from_m, wall, {});
+  return bearing_rad &&
+         std::abs(geometry::angle_between(view.middle_rad, *bearing_rad)) <= view.half_width_rad;
+}
+
+/// The distance at which the ends of a wall, seen from before its middle, are `told_apart_m`
+/// farther off than the wall.
+double telling_distance_m(const Segment& wall, const PossibleDoorParams& params) {
+  const double half_m = 0.5 * wall.length_m();
+  return std::min(params.max_distance_m,
+                  0.5 * (half_m * half_m / params.told_apart_m - params.told_apart_m));
+}
+
+std::optional<DoorStand> stand_before(const RasterMap& map,
+                                      const Segment& door,
+                                      const TravelField& travel,
+                                      const std::vector<Eigen::Vector2d>& tried_m,
+                                      const PossibleDoorParams& params) {
+  const Eigen::Vector2d middle_m = 0.5 * (door.from_m + door.to_m);
+  for (const double share : params.stand_shares) {
+    const Eigen::Vector2d at_m =
+        middle_m + share * telling_distance_m(door, params) * geometry::left_normal(door);
+    const bool is_tried = std::ranges::any_of(tried_m, [&](const Eigen::Vector2d& other_m) {
+      return (other_m - at_m).norm() < params.stands_apart_m;
+    });
+    if (is_tried || !tells(map, {at_m, 0.0, geometry::kFullTurnRad}, door, params)) {
+      continue;
+    }
+    if (const auto cost_m = travel.cost_m(map.cell_at(at_m))) {
+      return DoorStand{at_m, *cost_m};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Segment> possible_doors(const RasterMap& map,
+                                    const std::vector<Segment>& unheard,
+                                    const std::vector<PastView>& views,
+                                    const PossibleDoorParams& params) {
+  std::vector<Segment> doors;
+  for (const Segment& wall : unheard) {
+    if (wall.length_m() >= params.min_width_m &&
+        std::none_of(views.begin(), views.end(), [&](const PastView& view) {
+          return tells(map, view, wall, params);
+        })) {
+      doors.push_back(wall);
+    }
+  }
+  return doors;
+}
+
+std::optional<DoorStand> nearest_door_stand(const RasterMap& map,
+                                            const std::vector<Segment>& doors,
+                                            const TravelField& travel,
+                                            const std::vector<Eigen::Vector2d>& tried_m,
+                                            const PossibleDoorParams& params) {
+  std::optional<DoorStand> nearest;
+  for (const Segment& door : doors) {
+    const auto stand = stand_before(map, door, travel, tried_m, params);
+    if (stand && (!nearest || stand->cost_m < nearest->cost_m)) {
+      nearest = stand;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace echomap::exploration

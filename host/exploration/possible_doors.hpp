@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "host/exploration/travel_field.hpp"
+#include "host/exploration/view_gain.hpp"
+#include "host/geometry/segment.hpp"
+#include "host/mapping/raster_map.hpp"
+
+namespace echomap::exploration {
+
+/// Which stretches of wall may be doors. Ours, chosen in simulated rooms.
+struct PossibleDoorParams {
+  /// Narrower ones no robot is sent through.
+  double min_width_m = 0.5;
+  /// A stop tells a wall from the frame of a door where the nearer end is at least so much farther
+  /// off than the foot of the perpendicular (mapping::end_excess_m).
+  double told_apart_m = 0.04;
+  /// It is looked at from before its middle: from these shares, in their order, of the distance
+  /// from which a stop there tells, which is at most so far.
+  std::vector<double> stand_shares{0.9, 0.7, 0.5};
+  double max_distance_m = 1.2;
+  /// One so near to another is the same.
+  double stands_apart_m = 0.1;
+};
+
+/// Of the stretches of wall that no stop has heard at right angles, the floor to the left of each,
+/// those that may be doors for all that the views have told.
+std::vector<geometry::Segment> possible_doors(const mapping::RasterMap& map,
+                                              const std::vector<geometry::Segment>& unheard,
+                                              const std::vector<PastView>& views,
+                                              const PossibleDoorParams& params);
+
+/// A place from which a look tells what it is, and what the way there costs.
+struct DoorStand {
+  Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
+  double cost_m = 0.0;
+};
+
+/// The nearest door's, of the first for each that the robot can reach and has not tried before;
+/// empty where there is none.
+std::optional<DoorStand> nearest_door_stand(const mapping::RasterMap& map,
+                                            const std::vector<geometry::Segment>& doors,
+                                            const TravelField& travel,
+                                            const std::vector<Eigen::Vector2d>& tried_m,
+                                            const PossibleDoorParams& params);
+
+}  // namespace echomap::exploration
