@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "host/geometry/angle.hpp"
+#include "host/team_map/calibrated_submaps.hpp"
 #include "host/team_map/merged_map.hpp"
 #include "host/team_map/placed_submaps.hpp"
 #include "host/team_map/team_map.hpp"
@@ -169,7 +170,9 @@ std::optional<JudgedMap> judge_map(const team_map::RobotRecord& record,
   JudgedMap judged;
   judged.name = record.robot;
   judged.last_m = record.T_map_submaps[stops - 1].position_m();
-  const auto submaps = team_map::calibrated_turns(record.submaps);
+  team_map::CalibratedSubmaps calibrated;
+  calibrated.take(record.submaps);
+  const std::vector<team_map::Submap>& submaps = calibrated.submaps();
   judged.T_world_map =
       is_first_map
           ? truth.front().T_world_robot
