@@ -17,7 +17,7 @@ namespace echomap::team_map {
 class CalibratedSubmaps {
  public:
   /// Takes all that the robot has told so far; what was taken before is not calibrated again.
-  /// Begins anew with fewer submaps than before.
+  /// Starts again with fewer submaps than before.
   void take(const std::vector<Submap>& submaps);
 
   const std::vector<Submap>& submaps() const { return submaps_; }
