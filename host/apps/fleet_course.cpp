@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "host/geometry/angle.hpp"
+#include "host/team_map/calibrated_submaps.hpp"
 #include "host/team_map/merged_map.hpp"
 #include "host/team_map/placed_submaps.hpp"
 #include "host/team_map/team_map.hpp"
@@ -21,10 +22,41 @@ constexpr double kWrongM = 0.5;
 constexpr double kWrongRad = 0.35;
 constexpr double kEnoughShare = 0.9;
 
-/// Where the robot was on its map when the stop ended.
-Pose2 T_map_end(const team_map::Submap& submap, const Pose2& T_map_submap) {
-  return T_map_submap * (submap.readings.front().mark.T_odom_robot.inverse() *
-                         submap.readings.back().mark.T_odom_robot);
+/// Where the robot was on its map when its stops ended.
+std::vector<pipeline::StampedPose> stop_ends(const std::vector<team_map::Submap>& submaps,
+                                             const std::vector<Pose2>& T_map_submaps) {
+  std::vector<pipeline::StampedPose> ends;
+  for (std::size_t i = 0; i < T_map_submaps.size(); ++i) {
+    const auto& readings = submaps[i].readings;
+    const Pose2 T_map_odom = T_map_submaps[i] * readings.front().mark.T_odom_robot.inverse();
+    ends.push_back(
+        {time::robot_time(submaps[i].end_s), T_map_odom * readings.back().mark.T_odom_robot});
+  }
+  return ends;
+}
+
+/// Places the map by all stops that the truth knows. Answers whether there is one.
+bool place_by_truth(const std::vector<pipeline::StampedPose>& ends,
+                    const std::vector<evaluation::TruePose>& truth,
+                    JudgedMap& judged) {
+  const auto is_known = [&](const pipeline::StampedPose& end) {
+    return evaluation::true_pose_at(truth, end.stamp).has_value();
+  };
+  if (std::ranges::none_of(ends, is_known)) {
+    return false;
+  }
+  judged.T_world_map = evaluation::fit_aligned(ends, truth);
+  double squares_m2 = 0.0;
+  int known = 0;
+  for (const pipeline::StampedPose& end : ends) {
+    if (const auto T_world_end = evaluation::true_pose_at(truth, end.stamp)) {
+      const Pose2 T_world_placed = judged.T_world_map * end.T_map_robot;
+      squares_m2 += (T_world_placed.position_m() - T_world_end->position_m()).squaredNorm();
+      ++known;
+    }
+  }
+  judged.own_error_m = std::sqrt(squares_m2 / known);
+  return true;
 }
 
 std::vector<bool> free_cells(const mapping::OccupancyGrid& grid,
@@ -150,30 +182,29 @@ RelativePoseError relative_pose_error(const Pose2& T_own_peer,
                                       const JudgedMap& own,
                                       const JudgedMap& peer) {
   const Pose2 T_true_peer = (own.T_world_map.inverse() * peer.T_world_map).inverse() * T_own_peer;
-  return {(T_true_peer * peer.last_m - peer.last_m).norm(), std::abs(T_true_peer.heading_rad())};
+  return {(T_true_peer * peer.last_m - peer.last_m).norm(),
+          std::abs(T_true_peer.heading_rad()),
+          own.own_error_m + peer.own_error_m};
 }
 
 std::optional<JudgedMap> judge_map(const team_map::RobotRecord& record,
                                    const std::vector<evaluation::TruePose>& truth,
-                                   const std::vector<Eigen::Vector2d>& floor_m,
-                                   bool is_first_map) {
+                                   const std::vector<Eigen::Vector2d>& floor_m) {
   const std::size_t stops = std::min(record.submaps.size(), record.T_map_submaps.size());
-  if (stops == 0) {
-    return std::nullopt;
-  }
-  const auto T_world_end =
-      evaluation::true_pose_at(truth, time::robot_time(record.submaps.front().end_s));
-  if (!T_world_end) {
-    return std::nullopt;
-  }
+  team_map::CalibratedSubmaps calibrated;
+  calibrated.take(record.submaps);
+  const std::vector<team_map::Submap>& submaps = calibrated.submaps();
   JudgedMap judged;
   judged.name = record.robot;
+  if (!place_by_truth(
+          stop_ends(submaps,
+                    {record.T_map_submaps.begin(),
+                     record.T_map_submaps.begin() + static_cast<std::ptrdiff_t>(stops)}),
+          truth,
+          judged)) {
+    return std::nullopt;
+  }
   judged.last_m = record.T_map_submaps[stops - 1].position_m();
-  const auto submaps = team_map::calibrated_turns(record.submaps);
-  judged.T_world_map =
-      is_first_map
-          ? truth.front().T_world_robot
-          : *T_world_end * T_map_end(submaps.front(), record.T_map_submaps.front()).inverse();
   mapping::SonarMapperParams params = team_map::TeamMapParams().mapper;
   params.surfaces.beam_half_angle_rad = record.beam_half_angle_rad;
   team_map::MergedMapper mapper(params);

@@ -18,7 +18,10 @@ namespace echomap::apps {
 /// One map of a member, by the truth.
 struct JudgedMap {
   std::string name;
+  /// The placement that brings all its stops nearest to where they truly were
+  /// (evaluation::fit_aligned),
   geometry::Pose2 T_world_map;
+  double own_error_m = 0.0;  ///< and how far they are off even so, root mean square.
   Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();  ///< Of its stops, in its own frame,
   Eigen::Vector2d last_m = Eigen::Vector2d::Zero();    ///< and the last of them.
   std::vector<double> stop_s;                          ///< When each stop ended.
@@ -27,19 +30,18 @@ struct JudgedMap {
 };
 
 /// Where that map truly lies, and when it had which of the floor `floor_m`, given by the centres of
-/// its cells in the world frame. A robot's first map lies where its truth begins, a later one by
-/// the true pose at the end of its first stop. Poses of its graph are those of the end. Empty
-/// without a stop, or where the truth does not know the first one.
+/// its cells in the world frame. Poses of its graph are those of the end. Empty without a stop, or
+/// where the truth knows none of them.
 std::optional<JudgedMap> judge_map(const team_map::RobotRecord& record,
                                    const std::vector<evaluation::TruePose>& truth,
-                                   const std::vector<Eigen::Vector2d>& floor_m,
-                                   bool is_first_map);
+                                   const std::vector<Eigen::Vector2d>& floor_m);
 
 /// How far a place of one map in another is from the true one: of the peer's last stop, and of its
-/// heading without a sign.
+/// heading without a sign. No placement can be better than the two maps are by themselves.
 struct RelativePoseError {
   double position_m = 0.0;
   double heading_rad = 0.0;
+  double own_errors_m = 0.0;  ///< JudgedMap::own_error_m of both, added up.
 };
 
 /// That of `T_own_peer`.

@@ -113,7 +113,7 @@ std::vector<JudgedMap> judged_maps(const fleet::FleetState& state,
     for (const fleet::FleetMap& map : robot.maps) {
       team_map::RobotRecord record = *map.record;
       record.robot = fleet_member::map_name(robot.name, map.number);
-      if (auto one = judge_map(record, truth->trajectory, floor_m, map.number == 0)) {
+      if (auto one = judge_map(record, truth->trajectory, floor_m)) {
         judged.push_back(*std::move(one));
       }
     }
@@ -126,7 +126,9 @@ ordered_json figure_or_null(const std::optional<double>& value) {
 }
 
 ordered_json to_json(const RelativePoseError& error) {
-  return {{"position_m", error.position_m}, {"heading_rad", error.heading_rad}};
+  return {{"position_m", error.position_m},
+          {"heading_rad", error.heading_rad},
+          {"own_errors_m", error.own_errors_m}};
 }
 
 ordered_json to_json(const FleetCourse& course) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host/team_map/map_evidence.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -31,9 +33,6 @@ constexpr double kMaxRangeM = 3.0;
 constexpr double kRangeStddevM = 0.025;
 constexpr double kMaxRangeErrorM = 0.08;
 constexpr double kBearingStddevRad = 0.2;
-/// A wall is known so far about.
-constexpr double kKnownM = 0.2;
-constexpr double kKnown = 0.1;
 /// Where nothing is known, six readings of ten have an echo, from anywhere within so far.
 constexpr double kEchoShare = 0.6;
 constexpr double kEchoesWithinM = 2.5;
@@ -42,14 +41,56 @@ constexpr double kHeardSilenceM = 2.0;
 constexpr double kKnownShare = 0.9;
 constexpr double kBeforeEchoM = 0.1;
 constexpr double kStepM = 0.05;
+/// An echo from so deep in the floor is from something that is not on the map.
+constexpr double kFloorDepthM = 0.15;
+/// A map knows of no surface before a sonar that it expects to be silent with this chance or more.
+constexpr double kNoSurface = 0.7;
+/// Readings of a sweep, about: those of a stop count as so many at most.
+constexpr double kSweepReadings = 80.0;
 
-/// A surface that one robot has seen and the feature of the other's map that it may be.
+/// A surface that one robot has seen, and the feature of the other's map that it may be.
 struct SurfaceMatch {
   Eigen::Vector2d from_m;  ///< In the frame of the features.
   double range_m = 0.0;
   double bearing_rad = 0.0;
-  mapping::FeatureView view;
+  bool is_matched = false;
+  mapping::FeatureView view;  ///< Of the feature, if so.
 };
+
+/// What each surface of a scan would be for a sonar that points at it; the near ones.
+mapping::Scan readings_of(const mapping::ScanSurfaces& scan, const Pose2& T_of_seer) {
+  const Eigen::Vector2d from_m = T_of_seer * scan.center_m;
+  mapping::Scan readings;
+  for (const mapping::SonarSurface& surface : scan.surfaces) {
+    if (surface.range_m <= kMaxRangeM) {
+      const Pose2 T_of_sonar(from_m.x(),
+                             from_m.y(),
+                             geometry::wrap_angle(surface.bearing_rad + T_of_seer.heading_rad()));
+      readings.push_back({T_of_sonar, T_of_sonar, surface.range_m});
+    }
+  }
+  return readings;
+}
+
+SurfaceMatch matched_in(const RobotMap& of, const mapping::PlacedReading& surface, double gate_m) {
+  SurfaceMatch match{surface.T_map_sonar.position_m(),
+                     *surface.range_m,
+                     surface.T_map_sonar.heading_rad(),
+                     false,
+                     {}};
+  double nearest_off_m = gate_m;
+  for (const mapping::MatchedFeature& feature : of.features().features) {
+    const mapping::FeatureView view = mapping::view_from(match.from_m, feature.feature);
+    const double off_m = std::abs(view.range_m - match.range_m);
+    if (view.range_m > 0.0 && off_m < nearest_off_m &&
+        std::abs(geometry::angle_between(view.bearing_rad, match.bearing_rad)) < kGateRad) {
+      nearest_off_m = off_m;
+      match.is_matched = true;
+      match.view = view;
+    }
+  }
+  return match;
+}
 
 /// Looks at what `seer` has seen in the map of `of`.
 template <class Take>
@@ -59,25 +100,10 @@ void match_surfaces_in(const RobotMap& of,
                        double gate_m,
                        const Take& take) {
   for (const mapping::ScanSurfaces& scan : seer.placed_surfaces()) {
-    const Eigen::Vector2d from_m = T_of_seer * scan.center_m;
-    for (const mapping::SonarSurface& surface : scan.surfaces) {
-      if (surface.range_m > kMaxRangeM) {
-        continue;
+    for (const mapping::PlacedReading& surface : readings_of(scan, T_of_seer)) {
+      if (const SurfaceMatch match = matched_in(of, surface, gate_m); match.is_matched) {
+        take(match);
       }
-      const double bearing_rad =
-          geometry::wrap_angle(surface.bearing_rad + T_of_seer.heading_rad());
-      SurfaceMatch match{from_m, surface.range_m, bearing_rad, {}};
-      double nearest_off_m = gate_m;
-      for (const mapping::MatchedFeature& feature : of.features().features) {
-        const mapping::FeatureView view = mapping::view_from(from_m, feature.feature);
-        const double off_m = std::abs(view.range_m - surface.range_m);
-        if (view.range_m > 0.0 && off_m < nearest_off_m &&
-            std::abs(geometry::angle_between(view.bearing_rad, bearing_rad)) < kGateRad) {
-          nearest_off_m = off_m;
-          match.view = view;
-        }
-      }
-      take(match, nearest_off_m < gate_m);
     }
   }
 }
@@ -113,23 +139,18 @@ class PlacementEquations {
 Pose2 one_step(const RobotMap& first, const RobotMap& second, const Pose2& T, double gate_m) {
   PlacementEquations equations;
   const Eigen::Rotation2Dd turn(T.heading_rad());
-  match_surfaces_in(first, second, T, gate_m, [&](const SurfaceMatch& match, bool is_matched) {
-    if (is_matched) {
-      const Eigen::Vector2d arm_m = match.from_m - T.position_m();
-      equations.add(match, {1.0, 0.0, -arm_m.y()}, {0.0, 1.0, arm_m.x()});
-      equations.add_bearing(match, 1.0);
-    }
+  match_surfaces_in(first, second, T, gate_m, [&](const SurfaceMatch& match) {
+    const Eigen::Vector2d arm_m = match.from_m - T.position_m();
+    equations.add(match, {1.0, 0.0, -arm_m.y()}, {0.0, 1.0, arm_m.x()});
+    equations.add_bearing(match, 1.0);
   });
-  match_surfaces_in(
-      second, first, T.inverse(), gate_m, [&](const SurfaceMatch& match, bool is_matched) {
-        if (is_matched) {
-          const Eigen::Matrix2d back = -turn.inverse().toRotationMatrix();
-          equations.add(match,
-                        {back(0, 0), back(0, 1), match.from_m.y()},
-                        {back(1, 0), back(1, 1), -match.from_m.x()});
-          equations.add_bearing(match, -1.0);
-        }
-      });
+  match_surfaces_in(second, first, T.inverse(), gate_m, [&](const SurfaceMatch& match) {
+    const Eigen::Matrix2d back = -turn.inverse().toRotationMatrix();
+    equations.add(match,
+                  {back(0, 0), back(0, 1), match.from_m.y()},
+                  {back(1, 0), back(1, 1), -match.from_m.x()});
+    equations.add_bearing(match, -1.0);
+  });
   const Eigen::Vector3d step = equations.step();
   return {T.x_m() + step.x(), T.y_m() + step.y(), T.heading_rad() + step.z()};
 }
@@ -152,6 +173,27 @@ bool is_on_known_floor(const mapping::PlacedReading& reading, const mapping::Ras
   return known >= kKnownShare * all;
 }
 
+mapping::Scan silenced(mapping::Scan scan) {
+  for (mapping::PlacedReading& reading : scan) {
+    reading.range_m.reset();
+  }
+  return scan;
+}
+
+/// Whether a map can tell if the reading is right. It cannot of an echo from beyond its floor where
+/// it knows of no surface: it may have missed it, since walls answer only where they are met
+/// squarely, and become features only once two stops have seen them.
+bool is_told(const mapping::PlacedReading& reading,
+             double silent_log_likelihood,
+             const mapping::PlaceableMap& of) {
+  if (!is_on_known_floor(reading, of.map())) {
+    return false;
+  }
+  return !reading.range_m || silent_log_likelihood <= std::log(kNoSurface) ||
+         of.is_deep_in_floor(reading.T_map_sonar * Eigen::Vector2d(*reading.range_m, 0.0),
+                             kFloorDepthM);
+}
+
 void add_readings(const RobotMap& of,
                   const RobotMap& seer,
                   const Pose2& T_of_seer,
@@ -167,11 +209,13 @@ void add_readings(const RobotMap& of,
     }
     const mapping::Scan scan = mapping::moved(seer.placed().scans[i], T_of_seer);
     const std::vector<double> log_likelihoods = of.scene().log_likelihoods_of(scan);
+    const std::vector<double> if_silent = of.scene().log_likelihoods_of(silenced(scan));
+    const double share = std::min(1.0, kSweepReadings / static_cast<double>(scan.size()));
     for (std::size_t k = 0; k < scan.size(); ++k) {
-      if (is_on_known_floor(scan[k], map)) {
-        evidence.gain += log_likelihoods[k] - (scan[k].range_m ? echo : silence);
-        evidence.loss += seer.own_log_likelihoods()[i][k] - log_likelihoods[k];
-        ++evidence.readings;
+      if (is_told(scan[k], if_silent[k], of.map())) {
+        evidence.gain += share * (log_likelihoods[k] - (scan[k].range_m ? echo : silence));
+        evidence.loss += share * (seer.own_log_likelihoods()[i][k] - log_likelihoods[k]);
+        evidence.readings += share;
       }
     }
   }
@@ -180,17 +224,19 @@ void add_readings(const RobotMap& of,
 void add_surfaces(const RobotMap& of,
                   const RobotMap& seer,
                   const Pose2& T_of_seer,
-                  double& squares_m2,
                   MapEvidence& evidence) {
-  match_surfaces_in(of, seer, T_of_seer, kGateM, [&](const SurfaceMatch& match, bool is_matched) {
-    const Eigen::Vector2d echo_m =
-        match.from_m + match.range_m * geometry::unit_vector(match.bearing_rad);
-    if (of.map().knows(echo_m) || of.map().wall_at(echo_m, kKnownM) > kKnown) {
-      ++evidence.surfaces;
-      evidence.matched += is_matched ? 1 : 0;
-      squares_m2 += is_matched ? geometry::square(match.view.range_m - match.range_m) : 0.0;
+  for (const mapping::ScanSurfaces& scan : seer.placed_surfaces()) {
+    const mapping::Scan readings = readings_of(scan, T_of_seer);
+    const std::vector<double> if_silent = readings.empty()
+                                              ? std::vector<double>()
+                                              : of.scene().log_likelihoods_of(silenced(readings));
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      if (is_told(readings[k], if_silent[k], of.map())) {
+        ++evidence.surfaces;
+        evidence.matched += matched_in(of, readings[k], kGateM).is_matched ? 1 : 0;
+      }
     }
-  });
+  }
 }
 
 }  // namespace
@@ -211,12 +257,8 @@ MapEvidence evidence_for(const RobotMap& first,
   MapEvidence evidence;
   add_readings(first, second, T_first_second, evidence);
   add_readings(second, first, T_first_second.inverse(), evidence);
-  double squares_m2 = 0.0;
-  add_surfaces(first, second, T_first_second, squares_m2, evidence);
-  add_surfaces(second, first, T_first_second.inverse(), squares_m2, evidence);
-  if (evidence.matched > 0) {
-    evidence.range_rms_m = std::sqrt(squares_m2 / static_cast<double>(evidence.matched));
-  }
+  add_surfaces(first, second, T_first_second, evidence);
+  add_surfaces(second, first, T_first_second.inverse(), evidence);
   return evidence;
 }
 

@@ -8,17 +8,26 @@
 
 namespace echomap::team_map {
 
+namespace {
+
+/// Whether a placement would be sure if there were no other one.
+bool speaks_for(const SureEvidence& sure, const MapEvidence& evidence) {
+  return evidence.readings >= sure.min_readings && evidence.gain >= sure.min_gain &&
+         evidence.loss_per_reading() <= sure.max_loss && evidence.matched >= sure.min_matched &&
+         evidence.matched_share() >= sure.min_matched_share;
+}
+
+}  // namespace
+
 void validate(const SureEvidence& sure) {
   geometry::ParameterValidator("sure evidence")
       .positive("max_loss", sure.max_loss)
+      .positive("min_readings", sure.min_readings)
       .positive("min_gain", sure.min_gain)
       .within("min_matched_share", sure.min_matched_share, 0.0, 1.0)
-      .positive("max_range_rms_m", sure.max_range_rms_m)
-      .at_least("max_loss_by_walls", sure.max_loss_by_walls, sure.max_loss)
-      .at_least("max_range_rms_by_walls_m", sure.max_range_rms_by_walls_m, sure.max_range_rms_m)
       .within("max_rival_share", sure.max_rival_share, 0.0, 1.0)
       .within("max_rival_wall_share", sure.max_rival_wall_share, 0.0, 1.0)
-      .at_least("refuted_loss", sure.refuted_loss, sure.max_loss_by_walls);
+      .at_least("refuted_loss", sure.refuted_loss, sure.max_loss);
 }
 
 void validate(const MapJoinParams& params) {
@@ -28,7 +37,7 @@ void validate(const MapJoinParams& params) {
       .positive("agreeing_looks", params.agreeing_looks)
       .positive("same_m", params.same_m)
       .positive("same_rad", params.same_rad)
-      .at_least("undone_loss", params.undone_loss, params.sure.max_loss_by_walls)
+      .at_least("undone_loss", params.undone_loss, params.sure.max_loss)
       .positive("undoing_looks", params.undoing_looks);
   validate(params.sure);
 }
@@ -45,24 +54,30 @@ bool MapJoin::are_large_enough(const RobotMap& first, const RobotMap& second) co
   return std::min(first.submaps().size(), second.submaps().size()) >= params_.min_stops;
 }
 
-void MapJoin::look(const RobotMap& first, const RobotMap& second) {
-  judged_.clear();
+std::vector<JudgedPlacement> MapJoin::proposals(const RobotMap& first,
+                                                const RobotMap& second) const {
+  std::vector<JudgedPlacement> proposals;
   for (const mapping::MapPlacement& placement :
        mapping::find_placements(first.map(), second.map(), params_.placement)) {
-    if (judged_.size() == params_.judged) {
+    if (proposals.size() == params_.judged) {
       break;
     }
     const geometry::Pose2 refined = refined_placement(first, second, placement.T_previous_later);
-    if (std::none_of(judged_.begin(), judged_.end(), [&](const JudgedPlacement& other) {
+    if (std::none_of(proposals.begin(), proposals.end(), [&](const JudgedPlacement& other) {
           return slam::is_near(refined, other.T_first_second, params_.same_m, params_.same_rad);
         })) {
-      judged_.push_back({refined, evidence_for(first, second, refined), placement.weight_m()});
+      proposals.push_back({refined, evidence_for(first, second, refined), placement.weight_m()});
     }
   }
-  std::stable_sort(judged_.begin(), judged_.end(), [](const auto& one, const auto& other) {
+  std::stable_sort(proposals.begin(), proposals.end(), [](const auto& one, const auto& other) {
     return one.evidence.weight() > other.evidence.weight();
   });
-  if (!is_sure(params_.sure)) {
+  return proposals;
+}
+
+void MapJoin::look(const RobotMap& first, const RobotMap& second) {
+  judged_ = proposals(first, second);
+  if (!is_sure()) {
     agreeing_ = 0;
     return;
   }
@@ -102,7 +117,7 @@ void MapJoin::try_at(const RobotMap& first,
   const geometry::Pose2& tried = stays ? refined : T_first_second;
   judged_ = {{tried, evidence_for(first, second, tried), 0.0}};
   agreeing_ = 0;
-  if (stays && is_sure(params_.sure)) {
+  if (stays && is_sure()) {
     join(refined);
     return;
   }
@@ -112,20 +127,12 @@ void MapJoin::try_at(const RobotMap& first,
   contradicting_ = speaks_against ? contradicting_ + 1 : 0;
 }
 
-bool MapJoin::is_sure(const SureEvidence& sure) const {
-  if (judged_.empty()) {
-    return false;
-  }
-  const MapEvidence& best = judged_.front().evidence;
-  const bool alone = is_alone_by_walls();
-  return best.readings >= sure.min_readings && best.gain >= sure.min_gain &&
-         best.loss_per_reading() <= (alone ? sure.max_loss_by_walls : sure.max_loss) &&
-         best.matched >= sure.min_matched && best.matched_share() >= sure.min_matched_share &&
-         best.range_rms_m <= (alone ? sure.max_range_rms_by_walls_m : sure.max_range_rms_m) &&
-         !has_rival(sure);
+bool MapJoin::is_sure() const {
+  return !judged_.empty() && speaks_for(params_.sure, judged_.front().evidence) && !has_rival();
 }
 
-bool MapJoin::has_rival(const SureEvidence& sure) const {
+bool MapJoin::has_rival() const {
+  const SureEvidence& sure = params_.sure;
   const JudgedPlacement& best = judged_.front();
   return std::any_of(judged_.begin() + 1, judged_.end(), [&](const JudgedPlacement& other) {
     const bool is_refuted = other.evidence.readings >= sure.min_readings &&
@@ -135,14 +142,21 @@ bool MapJoin::has_rival(const SureEvidence& sure) const {
   });
 }
 
-bool MapJoin::is_alone_by_walls() const {
-  const mapping::MapPlacementParams& walls = params_.placement;
-  const double best_m = judged_.front().wall_weight_m;
-  return best_m >= walls.min_common_m &&
-         std::all_of(judged_.begin() + 1, judged_.end(), [&](const JudgedPlacement& other) {
-           return other.wall_weight_m <= walls.max_rival_share * best_m &&
-                  best_m - other.wall_weight_m >= walls.min_lead_m;
-         });
+/// Two rooms may look alike as long as neither robot has seen the other one's. A map that is bent
+/// for a while loses much of its readings where it truly lies, but has the most wall there.
+bool MapJoin::is_outdone(const JudgedPlacement& join,
+                         const std::vector<JudgedPlacement>& proposals) const {
+  const auto is_at_join = [&](const JudgedPlacement& proposal) {
+    return slam::is_near(
+        join.T_first_second, proposal.T_first_second, params_.same_m, params_.same_rad);
+  };
+  const auto same = std::find_if(proposals.begin(), proposals.end(), is_at_join);
+  const double wall_weight_m = same == proposals.end() ? 0.0 : same->wall_weight_m;
+  return std::any_of(proposals.begin(), proposals.end(), [&](const JudgedPlacement& other) {
+    return !is_at_join(other) && speaks_for(params_.sure, other.evidence) &&
+           params_.sure.max_rival_share * other.evidence.weight() > join.evidence.weight() &&
+           other.wall_weight_m > wall_weight_m;
+  });
 }
 
 void MapJoin::check(const RobotMap& first, const RobotMap& second) {
@@ -150,8 +164,9 @@ void MapJoin::check(const RobotMap& first, const RobotMap& second) {
   const MapEvidence evidence = evidence_for(first, second, refined);
   judged_ = {{refined, evidence, 0.0}};
   const bool holds = slam::is_near(*joined_, refined, params_.same_m, params_.same_rad) &&
-                     evidence.readings >= params_.sure.min_readings / 2 &&
-                     evidence.loss_per_reading() <= params_.undone_loss;
+                     evidence.readings >= 0.5 * params_.sure.min_readings &&
+                     evidence.loss_per_reading() <= params_.undone_loss &&
+                     !is_outdone(judged_.front(), proposals(first, second));
   contradicting_ = holds ? 0 : contradicting_ + 1;
   if (holds) {
     joined_ = refined;

@@ -16,24 +16,19 @@ namespace echomap::team_map {
 struct SureEvidence {
   /// A placement is sure that explains the readings about as well as each map its own: so much is
   /// lost at most of the log-likelihood of a reading,
-  double max_loss = 0.4;
+  double max_loss = 0.18;
   /// over so many readings at least, which it explains by so much better than no map,
-  std::size_t min_readings = 500;
-  double min_gain = 800.0;
+  double min_readings = 300.0;
+  double min_gain = 450.0;
   /// with so many surfaces that both have seen, as such a share of those that they should have,
-  std::size_t min_matched = 24;
-  double min_matched_share = 0.5;
-  /// of which the ranges agree to this,
-  double max_range_rms_m = 0.033;
+  std::size_t min_matched = 20;
+  double min_matched_share = 0.7;
   /// such a share of its weight at most speaks for any other place, by readings,
-  double max_rival_share = 0.6;
+  double max_rival_share = 0.7;
   /// and by walls (mapping::MapPlacement), of which it has the most; but for places that lose more
   /// than this of a reading, over min_readings: there readings speak against what walls say.
   double max_rival_wall_share = 0.85;
   double refuted_loss = 1.0;
-  /// Where walls leave no other place, as mapping::sure_placement asks, readings may agree less.
-  double max_loss_by_walls = 0.6;
-  double max_range_rms_by_walls_m = 0.037;
 };
 
 /// When the maps of two robots are joined, and when they are taken apart again; ours as well.
@@ -42,13 +37,14 @@ struct MapJoinParams {
   /// A map of fewer stops shows one place, which may look like others: it is not joined.
   std::size_t min_stops = 3;
   /// Of the placements that walls and floor speak for, so many of the best are judged by readings.
-  std::size_t judged = 4;
+  std::size_t judged = 24;
   /// So many looks in a row agree on it, within same_m and same_rad.
   SureEvidence sure;
   std::size_t agreeing_looks = 2;
   double same_m = 0.3;
   double same_rad = 0.17;
-  /// A join is undone that loses more than this of a reading, so many looks in a row.
+  /// A join is undone that loses more than this of a reading, or that another place outdoes by
+  /// readings (SureEvidence::max_rival_share) and walls, so many looks in a row.
   double undone_loss = 0.8;
   std::size_t undoing_looks = 2;
 };
@@ -92,12 +88,14 @@ class MapJoin {
 
  private:
   bool are_large_enough(const RobotMap& first, const RobotMap& second) const;
+  /// Places that walls propose, refined and judged, the best first.
+  std::vector<JudgedPlacement> proposals(const RobotMap& first, const RobotMap& second) const;
   void look(const RobotMap& first, const RobotMap& second);
   void check(const RobotMap& first, const RobotMap& second);
   void join(const geometry::Pose2& T_first_second);
-  bool is_sure(const SureEvidence& sure) const;
-  bool has_rival(const SureEvidence& sure) const;
-  bool is_alone_by_walls() const;
+  bool is_sure() const;
+  bool has_rival() const;
+  bool is_outdone(const JudgedPlacement& join, const std::vector<JudgedPlacement>& proposals) const;
 
   MapJoinParams params_;
   std::vector<JudgedPlacement> judged_;

@@ -4,9 +4,6 @@
 #include <algorithm>
 
 #include "host/geometry/angle.hpp"
-#include "host/slam/odometry_meter.hpp"
-#include "host/slam/odometry_piece.hpp"
-#include "host/slam/turn_calibration.hpp"
 
 namespace echomap::team_map {
 
@@ -67,37 +64,6 @@ mapping::Scan scan_of(const Submap& submap, const Pose2& T_map_odom) {
 }
 
 }  // namespace
-
-std::vector<Submap> calibrated_turns(std::vector<Submap> submaps) {
-  const auto share =
-      submaps.empty() ? std::nullopt : slam::turn_share(submaps.front().readings, {});
-  if (!share) {
-    return submaps;
-  }
-  const slam::OdometryCalibration calibration{{*share, 0.0, 0.0}};
-  slam::OdometryMark told = submaps.front().readings.front().mark;
-  Pose2 T_odom_robot = told.T_odom_robot;
-  for (Submap& submap : submaps) {
-    Pose2 T_way_odom;
-    for (slam::StopReading& reading : submap.readings) {
-      const slam::OdometryMark now = reading.mark;
-      T_odom_robot = T_odom_robot * slam::calibrated(slam::piece_between(told, now), calibration);
-      told = now;
-      reading.mark.T_odom_robot = T_odom_robot;
-      reading.mark.turn_rad *= 1.0 + *share;
-      if (&reading == &submap.readings.front()) {
-        T_way_odom = T_odom_robot * now.T_odom_robot.inverse();
-      }
-    }
-    for (Pose2& T_odom_way : submap.T_odom_way) {
-      T_odom_way = T_way_odom * T_odom_way;
-    }
-    for (SubmapContact& contact : submap.contacts) {
-      contact.T_odom_robot = T_way_odom * contact.T_odom_robot;
-    }
-  }
-  return submaps;
-}
 
 PlacedSubmaps placed(const std::vector<Submap>& submaps, const std::vector<Pose2>& T_map_submaps) {
   PlacedSubmaps placed;

@@ -25,10 +25,6 @@ struct PlacedSubmaps {
   std::vector<PlacedContact> contacts;
 };
 
-/// The same with all turns of the odometry as the first stop calibrates them (slam::turn_share):
-/// else stops of several headings are bent.
-std::vector<Submap> calibrated_turns(std::vector<Submap> submaps);
-
 /// Places submaps by the robot's poses at the first reading of each; the way between two of them
 /// goes from the one to the other, and what odometry is off on it is spread over it.
 PlacedSubmaps placed(const std::vector<Submap>& submaps,

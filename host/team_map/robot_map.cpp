@@ -35,8 +35,8 @@ bool RobotMap::take(RobotRecord record) {
     return false;
   }
   record_ = std::move(record);
-  calibrated_ = calibrated_turns(record_.submaps);
-  placed_ = team_map::placed(calibrated_, record_.T_map_submaps);
+  calibrated_.take(record_.submaps);
+  placed_ = team_map::placed(submaps(), record_.T_map_submaps);
   if (!mapper_) {
     params_.surfaces.beam_half_angle_rad = record_.beam_half_angle_rad;
     mapper_.emplace(params_);
@@ -49,8 +49,8 @@ bool RobotMap::take(RobotRecord record) {
 
 void RobotMap::find_features() {
   // A submap is immutable: what was seen from it is found once.
-  surfaces_.resize(std::min(surfaces_.size(), calibrated_.size()));
-  while (surfaces_.size() < calibrated_.size()) {
+  surfaces_.resize(std::min(surfaces_.size(), submaps().size()));
+  while (surfaces_.size() < submaps().size()) {
     const std::size_t i = surfaces_.size();
     surfaces_.push_back(mapping::find_surfaces(
         mapping::moved(placed_.scans[i], record_.T_map_submaps[i].inverse()), params_.surfaces));

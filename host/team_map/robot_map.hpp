@@ -12,6 +12,7 @@
 #include "host/mapping/sonar_surfaces.hpp"
 #include "host/mapping/surface_matching.hpp"
 #include "host/slam/stop_heading.hpp"
+#include "host/team_map/calibrated_submaps.hpp"
 #include "host/team_map/placed_submaps.hpp"
 #include "host/team_map/submap.hpp"
 
@@ -28,7 +29,7 @@ class RobotMap {
 
   const std::string& robot() const { return record_.robot; }
   /// With calibrated turns; at least one.
-  const std::vector<Submap>& submaps() const { return calibrated_; }
+  const std::vector<Submap>& submaps() const { return calibrated_.submaps(); }
   const std::vector<geometry::Pose2>& T_map_submaps() const { return record_.T_map_submaps; }
   double beam_half_angle_rad() const { return record_.beam_half_angle_rad; }
   double body_radius_m() const { return record_.body_radius_m; }
@@ -54,7 +55,7 @@ class RobotMap {
 
   mapping::SonarMapperParams params_;
   RobotRecord record_;
-  std::vector<Submap> calibrated_;
+  CalibratedSubmaps calibrated_;
   PlacedSubmaps placed_;
   std::optional<mapping::SonarMapper> mapper_;
   std::optional<mapping::PlaceableMap> map_;

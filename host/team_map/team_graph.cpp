@@ -83,12 +83,22 @@ class TeamStops {
       const TeamStand& stand = stands_[first];
       tracks_[stand.robot].T_team_submaps[stand.submap] = T_team_stands_[first];
     }
+    widen_headings();
     for (std::size_t robot = 0; robot < tracks_.size(); ++robot) {
       tell_stddevs(robot);
     }
   }
 
  private:
+  /// To what they are known by readings that share errors; where stops lie depends little on it.
+  void widen_headings() {
+    for (slam::GraphStand& stand : last_.stands) {
+      if (stand.heading) {
+        stand.heading->stddev_rad /= std::sqrt(params_.reading_weight);
+      }
+    }
+  }
+
   void tell_stddevs(std::size_t robot) {
     const std::size_t end =
         robot + 1 < first_stops_.size() ? first_stops_[robot + 1] : first_stands_.size();
@@ -176,7 +186,9 @@ class TeamStops {
 }  // namespace
 
 void validate(const TeamGraphParams& params) {
-  geometry::ParameterValidator("team graph").at_least("rounds", params.rounds, 1);
+  geometry::ParameterValidator("team graph")
+      .at_least("rounds", params.rounds, 1)
+      .within("reading_weight", params.reading_weight, 0.001, 1.0);
   slam::validate(params.stands);
   slam::validate(params.heading);
   slam::validate(params.graph);

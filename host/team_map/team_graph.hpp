@@ -24,6 +24,9 @@ struct TeamGraphParams {
   slam::StopHeadingParams heading;
   slam::StopGraphParams graph;
   int rounds = 2;
+  /// For the standard deviations, a reading counts so much of a measurement of its stop's heading,
+  /// because neighbours in a beam share their errors.
+  double reading_weight = 0.1;
 };
 
 /// Throws std::invalid_argument for invalid parameters.

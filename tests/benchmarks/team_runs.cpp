@@ -107,7 +107,6 @@ void read_truths(const fs::path& folder, TeamRun& run) {
 
 void read_robots(const json& fleet, TeamRun& run) {
   const auto& robots = fleet.at("robots");
-  const auto first_own_m = robots.empty() ? std::nullopt : number(robots[0].at("ate_rmse_m"));
   for (const json& robot : robots) {
     const auto& outcome = robot.at("outcome");
     const auto& exit = fleet.at("exits").at(robot.at("robot").get<std::string>());
@@ -120,14 +119,13 @@ void read_robots(const json& fleet, TeamRun& run) {
       run.deadlocks += met.at("deadlocks").get<std::size_t>();
       run.deadlocks_left += met.at("ended_in_deadlock").get<bool>() ? 1U : 0U;
     }
-    const auto own_m = number(robot.at("ate_rmse_m"));
     const auto& error = robot.at("relative_pose_error");
-    if (error.is_null() || !own_m || !first_own_m || &robot == &robots[0]) {
+    if (error.is_null() || &robot == &robots[0]) {
       continue;
     }
     const double off_m = error.at("position_m").get<double>();
     const double off_rad = error.at("heading_rad").get<double>();
-    const double beyond_m = off_m - *own_m - *first_own_m;
+    const double beyond_m = off_m - error.at("own_errors_m").get<double>();
     run.pose_error_m = std::max(run.pose_error_m.value_or(0.0), off_m);
     run.heading_error_rad = std::max(run.heading_error_rad.value_or(0.0), off_rad);
     run.beyond_own_m = std::max(run.beyond_own_m.value_or(beyond_m), beyond_m);

@@ -20,12 +20,13 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 json robot_json(const std::string& name, double off_m) {
-  return {{"robot", name},
-          {"outcome", "complete"},
-          {"sim_seconds", 300.0},
-          {"ate_rmse_m", 0.05},
-          {"relative_pose_error", {{"position_m", off_m}, {"heading_rad", 0.1}}},
-          {"encounters", {{"deadlocks", 1}, {"ended_in_deadlock", off_m > 0.0}}}};
+  return {
+      {"robot", name},
+      {"outcome", "complete"},
+      {"sim_seconds", 300.0},
+      {"ate_rmse_m", 0.05},
+      {"relative_pose_error", {{"position_m", off_m}, {"heading_rad", 0.1}, {"own_errors_m", 0.1}}},
+      {"encounters", {{"deadlocks", 1}, {"ended_in_deadlock", off_m > 0.0}}}};
 }
 
 /// What a fleet leaves: each hull met something twice.

@@ -24,7 +24,7 @@ using echomap::tests::TeamRecording;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kRobots = 4;
-constexpr std::size_t kJudged = 10;
+constexpr std::size_t kJudged = 24;
 
 /// Floor that both maps have where they truly lie.
 double shared_m2(const RobotMap& first, const RobotMap& second, const Pose2& T_first_second) {
@@ -74,9 +74,9 @@ void look(const std::string& label,
     const auto e = echomap::team_map::evidence_for(maps[a], maps[b], T);
     const double evidence_ms = ms_since(t1);
     std::printf(
-        "%s %zu%zu %.0f %zu %zu %.2f %s%zu %.2f %.2f %.2f %.3f %.3f %.4f %.3f %.1f %.3f %zu %.1f "
+        "%s %zu%zu %.0f %zu %zu %.2f %s%zu %.2f %.2f %.2f %.3f %.3f %.4f %.3f %.1f %.3f %.0f %.1f "
         "%.1f "
-        "%zu %zu %.4f %.0f %.0f %.0f\n",
+        "%zu %zu %.0f %.0f %.0f\n",
         label.c_str(),
         a,
         b,
@@ -101,7 +101,6 @@ void look(const std::string& label,
         e.loss,
         e.surfaces,
         e.matched,
-        e.range_rms_m,
         find_ms,
         refine_ms,
         evidence_ms);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,24 @@ struct Outcome {
   /// deviations: of the position (two degrees of freedom) and of the heading.
   double position_off = 0.0;
   double heading_off = 0.0;
+};
+
+/// How honest the standard deviations of relative poses are: over all updates of all joined pairs,
+/// the errors of positions and headings in these deviations.
+struct Honesty {
+  std::size_t poses = 0;
+  std::size_t positions_within_2 = 0;
+  std::size_t headings_within_2 = 0;
+  double position_squares = 0.0;
+  double heading_squares = 0.0;
+
+  void add(const Outcome& outcome) {
+    ++poses;
+    positions_within_2 += outcome.position_off <= 2.0 ? 1 : 0;
+    headings_within_2 += std::abs(outcome.heading_off) <= 2.0 ? 1 : 0;
+    position_squares += outcome.position_off * outcome.position_off;
+    heading_squares += outcome.heading_off * outcome.heading_off;
+  }
 };
 
 struct Cost {
@@ -67,7 +86,10 @@ bool is_right(const Team& team,
 }
 
 /// Tells a team map stop after stop what some robots of the team recorded.
-std::vector<Outcome> replay(const Team& team, const std::vector<std::size_t>& robots, Cost& cost) {
+std::vector<Outcome> replay(const Team& team,
+                            const std::vector<std::size_t>& robots,
+                            Cost& cost,
+                            Honesty& honesty) {
   echomap::team_map::TeamMap map;
   std::vector<std::pair<double, std::size_t>> events;
   for (const std::size_t robot : robots) {
@@ -100,6 +122,9 @@ std::vector<Outcome> replay(const Team& team, const std::vector<std::size_t>& ro
         }
         const bool right = is_right(team, map, robots[i], robots[k], stops, outcome);
         outcome.is_wrong_at_end = !right;
+        if (right) {
+          honesty.add(outcome);
+        }
         if (!right) {
           outcome.joined_s = -1.0;
         } else if (outcome.joined_s < 0.0) {
@@ -147,24 +172,27 @@ void print(const std::string& world,
 
 }  // namespace
 
-/// join_offline WORLD pairs|team FIRST LAST FOLDER: joins the maps of the four robots of each seed,
-/// two at a time or all at once.
+/// join_offline WORLD pairs|team ROBOTS FIRST LAST FOLDER: joins the maps of so many robots of each
+/// seed, two at a time or all at once.
 int main(int argc, char** argv) {
-  if (argc != 6) {
-    std::fprintf(stderr, "usage: join_offline WORLD pairs|team FIRST LAST FOLDER\n");
+  if (argc != 7) {
+    std::fprintf(stderr, "usage: join_offline WORLD pairs|team ROBOTS FIRST LAST FOLDER\n");
     return 2;
   }
-  constexpr std::size_t kRobots = 4;
+  const std::size_t robots = std::strtoul(argv[3], nullptr, 10);
+  std::vector<std::size_t> all(robots);
+  std::iota(all.begin(), all.end(), 0);
   Cost cost;
-  for (int seed = std::atoi(argv[3]); seed <= std::atoi(argv[4]); ++seed) {
-    const Team team = echomap::tests::team_recordings(
-        argv[1], kRobots, static_cast<std::uint32_t>(seed), argv[5]);
+  Honesty honesty;
+  for (int seed = std::atoi(argv[4]); seed <= std::atoi(argv[5]); ++seed) {
+    const Team team =
+        echomap::tests::team_recordings(argv[1], robots, static_cast<std::uint32_t>(seed), argv[6]);
     if (std::string(argv[2]) == "team") {
-      print(argv[1], seed, replay(team, {0, 1, 2, 3}, cost), kRobots, {0, 1, 2, 3});
+      print(argv[1], seed, replay(team, all, cost, honesty), robots, all);
     } else {
-      for (std::size_t a = 0; a < kRobots; ++a) {
-        for (std::size_t b = a + 1; b < kRobots; ++b) {
-          print(argv[1], seed, replay(team, {a, b}, cost), 2, {a, b});
+      for (std::size_t a = 0; a < robots; ++a) {
+        for (std::size_t b = a + 1; b < robots; ++b) {
+          print(argv[1], seed, replay(team, {a, b}, cost, honesty), 2, {a, b});
         }
       }
     }
@@ -173,4 +201,13 @@ int main(int argc, char** argv) {
   std::printf("%.0f ms an update, at most %.0f\n",
               cost.sum_ms / static_cast<double>(cost.updates),
               cost.max_ms);
+  const auto poses = static_cast<double>(std::max<std::size_t>(1, honesty.poses));
+  std::printf(
+      "%zu poses of joined pairs: within 2 standard deviations %.1f %% of positions, %.1f %% of "
+      "headings; root mean square %.2f, %.2f deviations\n",
+      honesty.poses,
+      100.0 * static_cast<double>(honesty.positions_within_2) / poses,
+      100.0 * static_cast<double>(honesty.headings_within_2) / poses,
+      std::sqrt(honesty.position_squares / poses),
+      std::sqrt(honesty.heading_squares / poses));
 }

@@ -31,9 +31,20 @@ std::vector<bool> from(int cell) {
 
 /// b began 2 m ahead of a.
 std::vector<JudgedMap> two_maps() {
-  return {
-      {"a.0", Pose2(), {1.0, 0.0}, {2.0, 0.0}, {10.0, 20.0, 30.0}, {below(2), below(4), below(6)}},
-      {"b.0", Pose2(2.0, 0.0, 0.0), {1.0, 0.0}, {2.0, 0.0}, {12.0, 25.0}, {from(8), from(5)}}};
+  return {{"a.0",
+           Pose2(),
+           0.02,
+           {1.0, 0.0},
+           {2.0, 0.0},
+           {10.0, 20.0, 30.0},
+           {below(2), below(4), below(6)}},
+          {"b.0",
+           Pose2(2.0, 0.0, 0.0),
+           0.03,
+           {1.0, 0.0},
+           {2.0, 0.0},
+           {12.0, 25.0},
+           {from(8), from(5)}}};
 }
 
 MemberReport member(const std::string& robot, const std::vector<LoggedJoin>& joins = {}) {
@@ -67,7 +78,7 @@ TEST(FleetCourse, AJoinThatWasUndoneCountsWhileItHeld) {
 
 TEST(FleetCourse, TheLastMemberThatIsJoinedIsWhenAllAre) {
   auto maps = two_maps();
-  maps.push_back({"c.0", Pose2(), {0.0, 0.0}, {0.0, 0.0}, {5.0}, {below(1)}});
+  maps.push_back({"c.0", Pose2(), 0.0, {0.0, 0.0}, {0.0, 0.0}, {5.0}, {below(1)}});
   const LoggedJoin c{"a.0", "c.0", 50.0, std::nullopt, Pose2()};
   const auto of = [&](const std::vector<LoggedJoin>& joins) {
     return judge_course(maps, {member("a", joins), member("b"), member("c")}).joined_s;
@@ -78,7 +89,7 @@ TEST(FleetCourse, TheLastMemberThatIsJoinedIsWhenAllAre) {
 
 TEST(FleetCourse, AMapThatCameLaterIsJoinedByItself) {
   auto maps = two_maps();
-  maps.push_back({"b.1", Pose2(), {0.0, 0.0}, {0.0, 0.0}, {35.0}, {below(1)}});
+  maps.push_back({"b.1", Pose2(), 0.0, {0.0, 0.0}, {0.0, 0.0}, {35.0}, {below(1)}});
   EXPECT_FALSE(judge_course(maps, {member("a", {join_of_b(15.0)}), member("b")}).joined_s);
 }
 
@@ -98,32 +109,52 @@ TEST(FleetCourse, ARelativePoseIsOffByWhereItPutsThePeersLastStop) {
   const auto error = relative_pose_error(Pose2(2.0, 0.0, -0.1), maps[0], maps[1]);
   EXPECT_NEAR(error.position_m, 4.0 * std::sin(0.05), 1e-9);
   EXPECT_NEAR(error.heading_rad, 0.1, 1e-9);
+  EXPECT_NEAR(error.own_errors_m, 0.05, 1e-12);
   EXPECT_EQ(find_map(maps, "c.0"), nullptr);
 }
 
-TEST(FleetCourse, AMapLiesWhereTheTruthSaysThatItsFirstStopWas) {
-  const auto record = tests::told_record("a.0", tests::room_of_posts(), tests::one_round_m(), 0.3);
-  const Pose2 T_world_map(1.0, 2.0, 0.5);
+/// A robot of which the truth knows where each stop ended.
+struct KnownRobot {
+  team_map::RobotRecord record =
+      tests::told_record("a.0", tests::room_of_posts(), tests::one_round_m(), 0.3);
+  Pose2 T_world_map{1.0, 2.0, 0.5};
   std::vector<evaluation::TruePose> truth;
-  for (std::size_t i = 0; i < record.submaps.size(); ++i) {
-    truth.push_back(
-        {time::robot_time(record.submaps[i].end_s), T_world_map * record.T_map_submaps[i]});
+
+  KnownRobot() {
+    for (std::size_t i = 0; i < record.submaps.size(); ++i) {
+      truth.push_back(
+          {time::robot_time(record.submaps[i].end_s), T_world_map * record.T_map_submaps[i]});
+    }
   }
+};
+
+TEST(FleetCourse, AMapLiesWhereAllItsStopsAreNearestToTheTruth) {
+  const KnownRobot robot;
   const std::vector<Eigen::Vector2d> floor_m{
-      T_world_map * (record.T_map_submaps.back() * Eigen::Vector2d(0.02, 0.0)), {50.0, 50.0}};
-  const auto judged = judge_map(record, truth, floor_m, false);
+      robot.T_world_map * (robot.record.T_map_submaps.back() * Eigen::Vector2d(0.02, 0.0)),
+      {50.0, 50.0}};
+  const auto judged = judge_map(robot.record, robot.truth, floor_m);
   ASSERT_TRUE(judged);
-  EXPECT_NEAR((judged->T_world_map.position_m() - T_world_map.position_m()).norm(), 0.0, 1e-6);
+  EXPECT_NEAR(
+      (judged->T_world_map.position_m() - robot.T_world_map.position_m()).norm(), 0.0, 1e-6);
   EXPECT_NEAR(judged->T_world_map.heading_rad(), 0.5, 1e-6);
-  ASSERT_EQ(judged->seen.size(), record.submaps.size());
+  EXPECT_NEAR(judged->own_error_m, 0.0, 1e-6);
+  ASSERT_EQ(judged->seen.size(), robot.record.submaps.size());
   EXPECT_EQ(judged->seen.back(), std::vector<bool>({true, false}));
-  EXPECT_EQ(judged->last_m, record.T_map_submaps.back().position_m());
-  EXPECT_EQ(judged->stop_s.back(), record.submaps.back().end_s);
-  EXPECT_FALSE(judge_map(record, {}, floor_m, false)) << "no truth";
-  EXPECT_FALSE(judge_map({}, truth, floor_m, true)) << "no stop";
-  const Pose2 T_world_start(0.9, 2.0, 0.4);
-  truth.insert(truth.begin(), {time::robot_time(0.0), T_world_start});
-  EXPECT_EQ(judge_map(record, truth, floor_m, true)->T_world_map.x_m(), 0.9);
+  EXPECT_EQ(judged->last_m, robot.record.T_map_submaps.back().position_m());
+  EXPECT_EQ(judged->stop_s.back(), robot.record.submaps.back().end_s);
+  EXPECT_FALSE(judge_map(robot.record, {}, floor_m)) << "no truth";
+  EXPECT_FALSE(judge_map({}, robot.truth, floor_m)) << "no stop";
+}
+
+/// A first stop that is turned by 10 degrees on the map turns the frame, but not the map.
+TEST(FleetCourse, TheFirstStopAloneDoesNotPlaceAMap) {
+  KnownRobot robot;
+  Pose2& first = robot.record.T_map_submaps.front();
+  first = Pose2(first.x_m(), first.y_m(), first.heading_rad() + 0.17);
+  const auto judged = judge_map(robot.record, robot.truth, {});
+  ASSERT_TRUE(judged);
+  EXPECT_NEAR(judged->T_world_map.heading_rad(), 0.5, 1e-6);
 }
 
 }  // namespace

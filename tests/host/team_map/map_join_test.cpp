@@ -85,6 +85,28 @@ TEST_F(MapJoinTest, UndoesAJoinThatIsContradicted) {
   EXPECT_EQ(join.undone(), 1U);
 }
 
+/// A room that is turned by half a turn looks much like itself. Here that is enough for a join.
+TEST_F(MapJoinTest, UndoesAJoinThatAnotherPlaceOutdoes) {
+  const Eigen::Vector2d own_m = tests::one_round_m().front();
+  const Eigen::Vector2d peer_m = tests::other_round_m().front();
+  const Pose2 T_half_turned = Pose2(own_m.x(), own_m.y(), 0.0).inverse() *
+                              Pose2(0.2, 0.2, radians(180.0)) * Pose2(peer_m.x(), peer_m.y(), 1.0);
+  MapJoinParams params;
+  params.sure.max_loss = 2.0;
+  params.sure.refuted_loss = 2.0;
+  params.sure.min_matched_share = 0.3;
+  params.undone_loss = 100.0;
+  MapJoin lenient(params);
+  stop(8);
+  lenient.try_at(first, second, T_half_turned);
+  ASSERT_TRUE(lenient.T_first_second());
+  lenient.update(first, second);
+  EXPECT_TRUE(lenient.T_first_second()) << "one look is not enough";
+  lenient.update(first, second);
+  EXPECT_FALSE(lenient.T_first_second());
+  EXPECT_EQ(lenient.undone(), 1U);
+}
+
 TEST_F(MapJoinTest, JoinsAtOnceWhereOthersTellItAndReadingsAreSure) {
   const Pose2 T_true = tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0);
   stop(1);

@@ -39,43 +39,5 @@ TEST(PlacedSubmaps, SpreadsWhatOdometryIsOffOverTheWay) {
   EXPECT_TRUE(there.contacts[0].left);
 }
 
-/// The first stop turns by what its odometry calls a whole turn and is 2 % less, and reads what it
-/// has read.
-TEST(PlacedSubmaps, CalibratesTurnsByTheFirstStop) {
-  constexpr double kShare = -0.02;
-  const tests::SmoothRoom room = tests::room_of_posts();
-  RobotRecord record = tests::told_record("a", room, {{0.0, 0.0}, {0.6, 0.0}}, 0.0);
-  Submap& first = record.submaps[0];
-  first.readings.clear();
-  for (int turn = 0; turn <= 6; ++turn) {
-    const double told_rad = turn * radians(360.0) / 6.0;
-    slam::OdometryMark mark;
-    mark.T_odom_robot = Pose2(0.0, 0.0, told_rad);
-    mark.turn_rad = told_rad;
-    mark.turned_rad = told_rad;
-    for (int i = -44; i <= 44; ++i) {
-      const Pose2 T_robot_sonar(0.0, 0.0, radians(2.0 * i));
-      const Pose2 T_room_robot(0.0, 0.0, told_rad * (1.0 + kShare));
-      first.readings.push_back(
-          {mark, T_robot_sonar, tests::ideal_range_m(T_room_robot * T_robot_sonar, room)});
-    }
-  }
-  const std::vector<Submap> calibrated = calibrated_turns(record.submaps);
-  EXPECT_NEAR(calibrated[0].readings.back().mark.T_odom_robot.heading_rad(),
-              radians(360.0) * kShare,
-              0.003 * radians(360.0));
-  EXPECT_NEAR(calibrated[0].readings.back().mark.turn_rad,
-              radians(360.0) * (1.0 + kShare),
-              0.003 * radians(360.0));
-}
-
-TEST(PlacedSubmaps, LeavesTurnsAloneThatNothingCalibrates) {
-  const RobotRecord record =
-      tests::told_record("a", tests::room_of_posts(), {{0.0, 0.0}, {0.6, 0.2}}, 0.3);
-  const std::vector<Submap> same = calibrated_turns(record.submaps);
-  EXPECT_EQ(same[1].readings[0].mark.T_odom_robot.x_m(),
-            record.submaps[1].readings[0].mark.T_odom_robot.x_m());
-}
-
 }  // namespace
 }  // namespace echomap::team_map

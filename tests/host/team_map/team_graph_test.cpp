@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/team_map/team_graph.hpp"
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -65,9 +66,25 @@ TEST_F(TeamGraphTest, BringsARobotToWhereItWasSeen) {
   EXPECT_NEAR(tracks[1].T_team_submaps[0].y_m(), 0.2, 0.03);
 }
 
+/// Neighbouring readings share errors: as many as there are of them do not make a heading sure.
+TEST_F(TeamGraphTest, IsLessSureOfHeadingsTheLessAReadingCounts) {
+  const auto heading_stddev_rad = [&](double reading_weight) {
+    TeamGraphParams params;
+    params.reading_weight = reading_weight;
+    auto tracks = begun_at(T_true);
+    align_team(params, {}, tracks);
+    return tracks[1].heading_stddev_rad;
+  };
+  EXPECT_GT(heading_stddev_rad(0.1), 1.1 * heading_stddev_rad(1.0));
+  EXPECT_LT(heading_stddev_rad(0.1), heading_stddev_rad(1.0) / std::sqrt(0.1));
+}
+
 TEST(TeamGraphParams, RefusesInvalidOnes) {
   TeamGraphParams params;
   params.rounds = 0;
+  EXPECT_THROW(validate(params), std::invalid_argument);
+  params = {};
+  params.reading_weight = 0.0;
   EXPECT_THROW(validate(params), std::invalid_argument);
 }
 
