@@ -165,9 +165,9 @@ std::unique_ptr<exploration::Explorer> team_searcher(FleetMember& member,
   fleet_member::TeamSearcherParams params;
   params.max_s = max_s;
   params.avoidance.robot = name;
-  params.avoidance.navigator = source.navigator;
+  params.avoidance.navigator = source.frontier.navigator;
   params.avoidance.guard.robot_radius_m = profile.body_radius_m;
-  params.avoidance.aside.costs = source.navigator.costs;
+  params.avoidance.aside.costs = source.frontier.navigator.costs;
   search.strategy = std::make_shared<source_search::SourceSearch>(source);
   return strategies::under_watch(std::make_unique<fleet_member::TeamSearcher>(
                                      member, search.strategy, search.readings, params),

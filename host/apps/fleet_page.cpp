@@ -102,7 +102,8 @@ live_page::TeamRobot FleetPage::shown(const fleet::FleetRobot& robot,
   return shown;
 }
 
-/// By all readings on the map of all, made anew every few seconds; what a robot is sure of holds.
+/// By all readings on the map of all, made anew every few seconds. Only what a robot is sure of is
+/// sure: here it is not known what of the floor is unseen.
 const std::optional<live_page::TeamSource>& FleetPage::source(double time_s,
                                                               const fleet::FleetState& state,
                                                               fleet_member::TeamPicture& picture,
@@ -125,6 +126,7 @@ const std::optional<live_page::TeamSource>& FleetPage::source(double time_s,
   source_search::SourceBelief belief({}, mapping::rasterize(*picture.team().merged(map_name).grid));
   belief.add(readings);
   source_ = shown_source(belief);
+  source_->verdict = "searching";
   if (view.finding) {
     source_->verdict = source_search::name_of(view.finding->report.verdict);
     source_->at_m = view.finding->at_m;

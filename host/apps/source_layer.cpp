@@ -49,13 +49,17 @@ live_page::TeamSource shown_source(const source_search::SourceBelief& belief) {
 void SourceLayer::publish(double time_s,
                           const source_search::SourceBelief* belief,
                           live_page::RunPublisher& publisher) {
-  if (belief == nullptr || (shown_s_ && time_s < *shown_s_ + kShowPeriodS) ||
-      (shown_s_ && belief->estimate().none_probability == shown_none_probability_)) {
+  if (belief == nullptr || (shown_s_ && time_s < *shown_s_ + kShowPeriodS)) {
+    return;
+  }
+  const live_page::TeamSource source = shown_source(*belief);
+  if (shown_s_ && source.field->cells == shown_cells_ && source.verdict == shown_verdict_) {
     return;
   }
   shown_s_ = time_s;
-  shown_none_probability_ = belief->estimate().none_probability;
-  publisher.add_team(time_s, {{}, shown_source(*belief)});
+  shown_cells_ = source.field->cells;
+  shown_verdict_ = source.verdict;
+  publisher.add_team(time_s, {{}, source});
 }
 
 }  // namespace echomap::apps

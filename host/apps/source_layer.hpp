@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/live_page/run_publisher.hpp"
 #include "host/live_page/team_state.hpp"
@@ -15,7 +17,7 @@ namespace echomap::apps {
 live_page::TeamSource shown_source(const source_search::SourceBelief& belief);
 
 /// Shows on a live page where one robot believes the source to be: once a second at most, and where
-/// more was read.
+/// what it shows has changed.
 class SourceLayer {
  public:
   /// Null before the first reading.
@@ -25,7 +27,8 @@ class SourceLayer {
 
  private:
   std::optional<double> shown_s_;
-  double shown_none_probability_ = 0.0;
+  std::vector<std::uint8_t> shown_cells_;
+  std::string shown_verdict_;
 };
 
 }  // namespace echomap::apps

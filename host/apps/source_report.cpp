@@ -39,12 +39,13 @@ std::string strength_of(const Report& report) {
 
 std::string text_of_source(const Report& report) {
   return fmt::format(
-      "a source of {} is at {} of the map, within {:.2f} m with {:.0f} %; 95 % within {:.2f} m",
+      "a source of {} is at {} of the map, within {:.2f} m with 95 %, within {:.2f} m with {:.0f} "
+      "%",
       strength_of(report),
       place_of(report),
+      report.at("radius_95_m").get<double>(),
       report.at("found_radius_m").get<double>(),
-      100.0 * report.at("within_probability").get<double>(),
-      report.at("radius_95_m").get<double>());
+      100.0 * report.at("within_probability").get<double>());
 }
 
 std::string text_of_none(const Report& report) {
@@ -76,9 +77,13 @@ std::string text_of_unsure(const Report& report) {
   if (!report.contains("best_m")) {
     return "nothing was read on any map";
   }
+  const double unseen = report.at("unseen_probability").get<double>();
   return fmt::format(
-      "no source with {:.0f} %; if there is one, then most probably at {} of the map",
+      "no source with {:.0f} %, one on floor that was not seen with {:.0f} %; else most probably "
+      "at "
+      "{} of the map",
       100.0 * report.at("none_probability").get<double>(),
+      100.0 * unseen,
       place_of(report));
 }
 
@@ -129,11 +134,15 @@ void add_source_truth(const std::filesystem::path& truth_json, Report& report) {
     }
   }
   Report& scored = report["truth"];
-  scored = {{"sources", sources}, {"error_m", nullptr}, {"right", nullptr}};
+  scored = {
+      {"sources", sources}, {"error_m", nullptr}, {"right", nullptr}, {"is_in_radius_95", nullptr}};
   if (report.at("verdict") == "none") {
     scored["right"] = sources.empty();
   } else if (report.at("verdict") == "found") {
     scored["right"] = error_m && *error_m <= report.at("found_radius_m").get<double>();
+    if (report.contains("radius_95_m")) {
+      scored["is_in_radius_95"] = error_m && *error_m <= report.at("radius_95_m").get<double>();
+    }
     if (error_m) {
       scored["error_m"] = std::round(*error_m * 1e4) / 1e4;
     }

@@ -21,9 +21,9 @@ nlohmann::ordered_json source_report(const source_search::SourceBelief* belief);
 nlohmann::ordered_json told_report(const fleet_member::TeamFinding& told);
 
 /// Adds `truth` to a source report: `sources` as the file source.json of a simulated robot's truth
-/// has them in the map frame, `error_m` of the place that was found, and whether the verdict is
-/// `right`; null where it is unsure. Does nothing where there is no such file. Throws
-/// files::FileError and nlohmann::json::exception for a file that cannot be read.
+/// has them in the map frame, `error_m` of the place that was found, whether the verdict is `right`
+/// and the source `is_in_radius_95`; null where it is unsure. Does nothing where there is no such
+/// file. Throws files::FileError and nlohmann::json::exception for a file that cannot be read.
 void add_source_truth(const std::filesystem::path& truth_json, nlohmann::ordered_json& report);
 
 /// How a search has ended whose drive ended so. A sure answer is finished, an unsure one is not;

@@ -31,12 +31,8 @@ source_search::SourceReadingsParams source_readings_params(const RobotProfile& p
 }
 
 source_search::SourceSearchParams source_search_params(const RobotProfile& profile) {
-  const auto frontier = strategies::frontier_params(profile, std::nullopt);
   source_search::SourceSearchParams params;
-  params.navigator = frontier.navigator;
-  params.gain = frontier.gain;
-  params.viewpoints = frontier.viewpoints;
-  params.sweep = frontier.sweep;
+  params.frontier = strategies::frontier_params(profile, std::nullopt);
   params.choice.speed_m_per_s = profile.speed_m_per_s;
   return params;
 }

@@ -72,8 +72,8 @@ Motion TeamSearcher::decide(const Snapshot& snapshot,
   if (avoidance_.wants_another_goal()) {
     search_->reconsider();
   }
-  const exploration::Company company = team_exploration::company_of(view);
-  search_->set_standing(company.standing);
+  const exploration::Company company = avoidance_.company(view);
+  search_->set_company(company);
   search_->set_plans_of_others(others.plans);
   search_->set_readings(all_readings(snapshot, others));
   return avoidance_.checked(snapshot, view, search_->next(known_to_all(snapshot, company), last));

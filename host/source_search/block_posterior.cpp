@@ -73,15 +73,14 @@ BlockPosterior posterior_of(const HypothesisGrid& grid,
                             double reference) {
   const NuisanceNodes& nodes = grid.nodes();
   const NuisanceIntegral integral = integral_for(grid, block);
-  const std::size_t attenuations = nodes.attenuations_per_m.size();
   const std::size_t backgrounds = nodes.backgrounds.size();
   BlockPosterior posterior;
   posterior.background.assign(backgrounds, 0.0);
-  for (std::size_t g = 0; g < attenuations * backgrounds; ++g) {
+  for (std::size_t g = 0; g < nodes.shieldings.size() * backgrounds; ++g) {
     const std::size_t b = g % backgrounds;
     const auto group = integral.group(block.lanes(g * nodes.strengths.size()));
-    const double mass = density * static_cast<double>(integral.background_masses()[b]) /
-                        static_cast<double>(attenuations);
+    const double mass = density * static_cast<double>(integral.background_masses()[b]) *
+                        nodes.shieldings[g / backgrounds].prior;
     for (std::size_t i = 0; i < kLanes; ++i) {
       const double probability = mass * block.area_m2[i] * static_cast<double>(group.sum[i]) *
                                  std::exp(static_cast<double>(group.max[i]) - reference);
@@ -98,14 +97,15 @@ std::vector<NuisanceShare> nuisances_of(const HypothesisGrid& grid, LeafIndex le
   const NuisanceIntegral integral = integral_for(grid, block);
   std::vector<NuisanceShare> shares;
   std::size_t node = 0;
-  for (const float attenuation_per_m : nodes.attenuations_per_m) {
+  for (const Shielding& shielding : nodes.shieldings) {
     for (std::size_t b = 0; b < nodes.backgrounds.size(); ++b) {
       for (const NuisanceIntegral::Step& step : integral.steps()) {
-        const double mass = static_cast<double>(integral.background_masses()[b] * step.mass);
+        const double mass =
+            shielding.prior * static_cast<double>(integral.background_masses()[b] * step.mass);
         shares.push_back({interpolated(block.lanes(node), step, leaf.lane) + std::log(mass),
                           static_cast<double>(step.strength),
                           static_cast<double>(nodes.backgrounds[b]),
-                          static_cast<double>(attenuation_per_m)});
+                          shielding});
       }
       node += nodes.strengths.size();
     }

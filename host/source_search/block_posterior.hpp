@@ -31,7 +31,7 @@ struct NuisanceShare {
   double probability = 0.0;
   double strength = 0.0;
   double background = 0.0;
-  double attenuation_per_m = 0.0;
+  Shielding shielding;
 };
 
 /// All that a place is combined with.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
 #include <Eigen/Geometry>
 
@@ -13,11 +12,17 @@
 
 namespace echomap::source_search {
 
+using exploration::CellValues;
+using exploration::for_each_cell;
+using geometry::CellIndex;
 using geometry::square;
 using mapping::CellState;
 using mapping::RasterMap;
 
 namespace {
+
+/// Unknown cells that are less likely floor than this hold no source.
+constexpr float kMinFloorShare = 0.02F;
 
 void validate_grid(const HypothesisGridParams& params) {
   validate(params.field);
@@ -29,6 +34,7 @@ void validate_grid(const HypothesisGridParams& params) {
       .at_least("strength_nodes", params.strength_nodes, 4)
       .at_least("background_nodes", params.background_nodes, 2)
       .nonnegative_finite("unknown_reach_m", params.unknown_reach_m)
+      .nonnegative_finite("hollow_m", params.hollow_m)
       .nonnegative_finite("solid_depth_m", params.solid_depth_m);
 }
 
@@ -41,66 +47,46 @@ std::vector<float> geometric_range(double min, double max, std::size_t count) {
   return values;
 }
 
-/// The map with obstacles where it has floor, to measure distances from floor.
-RasterMap floor_as_obstacle(const RasterMap& map) {
-  RasterMap floor(map.columns(), map.rows(), map.resolution_m(), map.origin_m());
-  for (int y = 0; y < map.rows(); ++y) {
-    for (int x = 0; x < map.columns(); ++x) {
-      if (map.state({x, y}) == CellState::kFree) {
-        floor.set({x, y}, CellState::kOccupied);
-      }
-    }
-  }
-  return floor;
+std::int32_t cells_in(double length_m, const RasterMap& map) {
+  return static_cast<std::int32_t>(length_m / map.resolution_m() + 1e-6);
 }
 
-/// Steps from the floor to each unknown cell, through unknown ones: what is behind a wall is not
-/// reached. -1 for what is not.
-std::vector<int> steps_into_unknown(const RasterMap& map) {
-  const auto index = [&](geometry::CellIndex cell) {
-    return static_cast<std::size_t>(cell.y * map.columns() + cell.x);
-  };
-  std::vector<int> steps(static_cast<std::size_t>(map.columns() * map.rows()), -1);
-  std::deque<geometry::CellIndex> queue;
-  for (int y = 0; y < map.rows(); ++y) {
-    for (int x = 0; x < map.columns(); ++x) {
-      if (map.state({x, y}) == CellState::kFree) {
-        steps[index({x, y})] = 0;
-        queue.push_back({x, y});
-      }
-    }
-  }
-  constexpr int kSides[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-  while (!queue.empty()) {
-    const geometry::CellIndex at = queue.front();
-    queue.pop_front();
-    for (const auto& side : kSides) {
-      const geometry::CellIndex next{at.x + side[0], at.y + side[1]};
-      if (map.contains(next) && map.state(next) == CellState::kUnknown && steps[index(next)] < 0) {
-        steps[index(next)] = steps[index(at)] + 1;
-        queue.push_back(next);
-      }
-    }
-  }
-  return steps;
-}
-
-std::vector<bool> cells_of_source(const RasterMap& map, const HypothesisGridParams& params) {
+CellValues<float> cells_of_source(const RasterMap& map,
+                                  const CellValues<float>& floor_chance,
+                                  const HypothesisGridParams& params) {
   const double depth_m = std::max(params.solid_depth_m, map.resolution_m());
-  const mapping::DistanceField from_floor(floor_as_obstacle(map), depth_m + map.resolution_m());
+  const mapping::DistanceField from_floor =
+      distances_to_known_floor(map, depth_m + map.resolution_m());
   const double depth_cells = params.solid_depth_m / map.resolution_m() + 1e-6;
-  const double reach_cells = params.unknown_reach_m / map.resolution_m();
-  const std::vector<int> steps = steps_into_unknown(map);
-  std::vector<bool> may_hold;
-  for (int y = 0; y < map.rows(); ++y) {
-    for (int x = 0; x < map.columns(); ++x) {
-      const int step = steps[may_hold.size()];
-      const bool is_solid = map.state({x, y}) == CellState::kOccupied;
-      may_hold.push_back(is_solid ? from_floor.distance_cells({x, y}) <= depth_cells
-                                  : step >= 0 && step <= reach_cells);
+  CellValues<float> may_hold = floor_chance;
+  for_each_cell(map, [&](CellIndex cell) {
+    if (map.state(cell) == CellState::kOccupied && from_floor.distance_cells(cell) <= depth_cells) {
+      may_hold[cell] = 1.0F;
     }
-  }
+    if (may_hold[cell] < kMinFloorShare) {
+      may_hold[cell] = 0.0F;
+    }
+  });
   return may_hold;
+}
+
+/// With unknown cells as air and, where any may be, as solid, each as likely.
+std::vector<Shielding> shieldings_of(const FieldParams& field, bool has_unknown) {
+  const double prior = 1.0 / static_cast<double>(field.attenuations_per_m.size());
+  std::vector<Shielding> shieldings;
+  for (const double attenuation_per_m : field.attenuations_per_m) {
+    if (attenuation_per_m <= 0.0 || !has_unknown) {
+      shieldings.push_back({attenuation_per_m, false, prior});
+      continue;
+    }
+    shieldings.push_back({attenuation_per_m, false, 0.5 * prior});
+    shieldings.push_back({attenuation_per_m, true, 0.5 * prior});
+  }
+  return shieldings;
+}
+
+double shielding_m(const CrossedLengths& crossed, const Shielding& shielding) {
+  return crossed.solid_m + (shielding.is_unknown_solid ? crossed.unknown_m : 0.0);
 }
 
 /// The error of a place that is somewhere in a square, along an axis.
@@ -137,16 +123,16 @@ FieldReading merged(const FieldReading& one, const FieldReading& other, SensorKi
 
 }  // namespace
 
-HypothesisGrid::HypothesisGrid(const HypothesisGridParams& params, const RasterMap& map)
+HypothesisGrid::HypothesisGrid(const HypothesisGridParams& params, const SourceFloor& floor)
     : params_((validate_grid(params), params)),
-      map_(map),
-      may_hold_(cells_of_source(map, params)),
-      solids_(map) {
+      map_(floor.map),
+      floor_chance_(unknown_reach(floor, cells_in(params.unknown_reach_m, floor.map)).share),
+      may_hold_(cells_of_source(map_, floor_chance_, params)),
+      solids_(map_, floor_chance_, params.hollow_m) {
   const FieldParams& field = params_.field;
   nodes_.strengths =
       geometric_range(field.min_strength, field.max_strength, params_.strength_nodes);
-  nodes_.attenuations_per_m.assign(field.attenuations_per_m.begin(),
-                                   field.attenuations_per_m.end());
+  nodes_.shieldings = shieldings_of(field, solids_.has_unknown());
   nodes_.backgrounds =
       geometric_range(field.min_background, field.max_background, params_.background_nodes);
   none_.assign(nodes_.backgrounds.size(), 0.0);
@@ -184,15 +170,12 @@ std::vector<HypothesisGrid::Leaf> HypothesisGrid::initial_leaves() {
 double HypothesisGrid::area_m2(double x_m, double y_m, double edge_m) const {
   const int samples = std::max(1, static_cast<int>(std::lround(edge_m / map_.resolution_m())));
   const double step_m = edge_m / samples;
-  int inside = 0;
+  double inside = 0.0;
   for (int j = 0; j < samples; ++j) {
     for (int i = 0; i < samples; ++i) {
-      const geometry::CellIndex cell = map_.cell_at(
+      const CellIndex cell = map_.cell_at(
           {x_m - 0.5 * edge_m + (i + 0.5) * step_m, y_m - 0.5 * edge_m + (j + 0.5) * step_m});
-      inside += map_.contains(cell) &&
-                        may_hold_[static_cast<std::size_t>(cell.y * map_.columns() + cell.x)]
-                    ? 1
-                    : 0;
+      inside += map_.contains(cell) ? static_cast<double>(may_hold_[cell]) : 0.0;
     }
   }
   return inside * square(step_m);
@@ -201,9 +184,12 @@ double HypothesisGrid::area_m2(double x_m, double y_m, double edge_m) const {
 HypothesisGrid::Response HypothesisGrid::response_at(const FieldReading& reading,
                                                      const Eigen::Vector2d& source_m,
                                                      double edge_m,
-                                                     double attenuation_per_m) const {
+                                                     const Shielding& shielding) const {
   const double distance_m = (reading.at_m - source_m).norm();
-  const double solid_m = attenuation_per_m > 0.0 ? solids_.between_m(reading.at_m, source_m) : 0.0;
+  const double attenuation_per_m = shielding.attenuation_per_m;
+  const double solid_m = attenuation_per_m > 0.0
+                             ? shielding_m(solids_.between(reading.at_m, source_m), shielding)
+                             : 0.0;
   return {response(distance_m, solid_m, attenuation_per_m, params_.field),
           response_variance(distance_m,
                             solid_m,
@@ -226,34 +212,44 @@ void HypothesisGrid::add_to(LeafBlock& block, const FieldReading& reading, float
   const FieldParams& field = params_.field;
   const ReadingTerms terms = terms_of(reading, field);
   const bool is_clear = is_clear_to(block, reading.at_m);
-  std::array<double, kLanes> distances_m{};
-  std::array<double, kLanes> solids_m{};
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const Eigen::Vector2d leaf_m(block.x_m[i], block.y_m[i]);
-    distances_m[i] = (reading.at_m - leaf_m).norm();
-    solids_m[i] =
-        is_clear || block.area_m2[i] <= 0.0 ? 0.0 : solids_.between_m(reading.at_m, leaf_m);
-  }
-  // Without any solid on the way, all attenuations are one.
-  const bool is_shielded =
-      std::any_of(solids_m.begin(), solids_m.end(), [](double solid_m) { return solid_m > 0.0; });
-  std::vector<float> change(nodes_.per_attenuation() * kLanes);
-  ResponseLanes lanes;
-  for (std::size_t a = 0; a < field.attenuations_per_m.size(); ++a) {
-    const double attenuation_per_m = field.attenuations_per_m[a];
-    if (a == 0 || is_shielded) {
-      for (std::size_t i = 0; i < kLanes; ++i) {
-        const double variance_m2 =
-            square(reading.position_stddev_m) + square_variance_m2(block.edge_m[i]);
-        lanes.response[i] =
-            static_cast<float>(response(distances_m[i], solids_m[i], attenuation_per_m, field));
-        lanes.variance[i] = static_cast<float>(
-            response_variance(distances_m[i], solids_m[i], attenuation_per_m, variance_m2, field));
-      }
-      set_log_likelihoods(terms, lanes, nodes_, change.data());
+  std::array<CrossedLengths, kLanes> crossed{};
+  // Without anything on the way, all shieldings are one; without unknown, it may as well be air.
+  bool is_shielded = false;
+  bool is_unknown = false;
+  for (std::size_t i = 0; i < kLanes && !is_clear; ++i) {
+    if (block.area_m2[i] > 0.0) {
+      crossed[i] = solids_.between(reading.at_m, {block.x_m[i], block.y_m[i]});
     }
-    add_rows(change, times, block.lanes(a * nodes_.per_attenuation()));
+    is_unknown = is_unknown || crossed[i].unknown_m > 0.0;
+    is_shielded = is_shielded || is_unknown || crossed[i].solid_m > 0.0;
   }
+  std::vector<float> change(nodes_.per_shielding() * kLanes);
+  for (std::size_t s = 0; s < nodes_.shieldings.size(); ++s) {
+    const Shielding& shielding = nodes_.shieldings[s];
+    if (s == 0 || (shielding.is_unknown_solid ? is_unknown : is_shielded)) {
+      set_log_likelihoods(
+          terms, responses(block, reading, crossed, shielding), nodes_, change.data());
+    }
+    add_rows(change, times, block.lanes(s * nodes_.per_shielding()));
+  }
+}
+
+ResponseLanes HypothesisGrid::responses(const LeafBlock& block,
+                                        const FieldReading& reading,
+                                        const std::array<CrossedLengths, kLanes>& crossed,
+                                        const Shielding& shielding) const {
+  ResponseLanes lanes;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const double distance_m = (reading.at_m - Eigen::Vector2d(block.x_m[i], block.y_m[i])).norm();
+    const double solid_m = shielding_m(crossed[i], shielding);
+    const double variance_m2 =
+        square(reading.position_stddev_m) + square_variance_m2(block.edge_m[i]);
+    lanes.response[i] = static_cast<float>(
+        response(distance_m, solid_m, shielding.attenuation_per_m, params_.field));
+    lanes.variance[i] = static_cast<float>(response_variance(
+        distance_m, solid_m, shielding.attenuation_per_m, variance_m2, params_.field));
+  }
+  return lanes;
 }
 
 void HypothesisGrid::add_to_none(const FieldReading& reading, double times) {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "host/exploration/cell_values.hpp"
 #include "host/mapping/raster_map.hpp"
 #include "host/source_search/field_model.hpp"
 #include "host/source_search/leaf_block.hpp"
 #include "host/source_search/solid_lengths.hpp"
+#include "host/source_search/source_floor.hpp"
 
 namespace echomap::source_search {
 
@@ -23,8 +26,12 @@ struct HypothesisGridParams {
   double merge_m = 0.05;
   std::size_t strength_nodes = 12;
   std::size_t background_nodes = 8;
-  /// Unknown cells so far from a free one, by a way over unknown ones, may hold the source, too.
-  double unknown_reach_m = 1.0;
+  /// Unknown cells so far from a free one, by a way over unknown ones, may hold the source, too: as
+  /// likely as that way is floor.
+  double unknown_reach_m = 2.0;
+  /// A source lies in a hollow: of the unknown cells between it and a sensor the first ones, up to
+  /// so far, are air.
+  double hollow_m = 0.5;
   /// So may occupied cells that are no deeper than this in what is solid: what lies in or behind a
   /// wall can be neither found nor ruled out.
   double solid_depth_m = 0.1;
@@ -36,14 +43,14 @@ struct LeafIndex {
   std::size_t lane = 0;
 };
 
-/// The log-likelihood of all readings for every place, strength, background and attenuation, and
+/// The log-likelihood of all readings for every place, strength, background and shielding, and
 /// for no source at all, held exactly at nodes. Places are squares that can be split where they
 /// matter. What a square is too coarse for is in the likelihood as an error of the rate.
 class HypothesisGrid {
  public:
-  /// Places are the free cells of `map` and what is beside them.
+  /// Places are the free cells of the map, what is beside them, and unknown floor in reach.
   /// Throws std::invalid_argument for invalid parameters.
-  HypothesisGrid(const HypothesisGridParams& params, const mapping::RasterMap& map);
+  HypothesisGrid(const HypothesisGridParams& params, const SourceFloor& floor);
 
   void add(std::span<const FieldReading> readings);
   /// Cuts these squares into four, where they are not of the smallest.
@@ -59,7 +66,7 @@ class HypothesisGrid {
   /// Readings, near ones as one.
   const std::vector<FieldReading>& readings() const { return readings_; }
   const mapping::RasterMap& map() const { return map_; }
-  /// Where the source may be, all in all.
+  /// Where the source may be, all in all; unknown floor by how likely it is floor.
   double area_m2() const { return area_m2_; }
   bool is_splittable(LeafIndex leaf) const;
 
@@ -71,7 +78,7 @@ class HypothesisGrid {
   Response response_at(const FieldReading& reading,
                        const Eigen::Vector2d& source_m,
                        double edge_m,
-                       double attenuation_per_m) const;
+                       const Shielding& shielding) const;
 
  private:
   struct Leaf {
@@ -86,12 +93,17 @@ class HypothesisGrid {
   void append(std::span<const Leaf> leaves);
   bool is_clear_to(const LeafBlock& block, const Eigen::Vector2d& from_m) const;
   void add_to(LeafBlock& block, const FieldReading& reading, float times) const;
+  ResponseLanes responses(const LeafBlock& block,
+                          const FieldReading& reading,
+                          const std::array<CrossedLengths, kLanes>& crossed,
+                          const Shielding& shielding) const;
   void add_to_none(const FieldReading& reading, double times);
   void apply(const FieldReading& reading, float times);
 
   HypothesisGridParams params_;
   mapping::RasterMap map_;
-  std::vector<bool> may_hold_;  ///< By cell of the map, row by row.
+  exploration::CellValues<float> floor_chance_;  ///< By cell, of unknown ones.
+  exploration::CellValues<float> may_hold_;      ///< By cell, from 0 to 1.
   SolidLengths solids_;
   NuisanceNodes nodes_;
   std::vector<LeafBlock> blocks_;

@@ -72,7 +72,7 @@ void InformationGain::add(const PlannedDwell& dwell, PairDistances& distances) c
     const SourceHypothesis& sample = samples_[i];
     HypothesisGrid::Response response;
     if (sample.at_m) {
-      response = grid.response_at(reading, *sample.at_m, sample.edge_m, sample.attenuation_per_m);
+      response = grid.response_at(reading, *sample.at_m, sample.edge_m, sample.shielding);
     }
     const double source = sample.strength * response.response;
     if (field.kind == SensorKind::kLevel) {

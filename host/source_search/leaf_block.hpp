@@ -11,18 +11,25 @@ namespace echomap::source_search {
 inline constexpr std::size_t kLanes = 64;
 using Lanes = std::array<float, kLanes>;
 
-/// The values of strength, background and attenuation that each place is combined with.
+/// How what lies on the way shields a source.
+struct Shielding {
+  double attenuation_per_m = 0.0;
+  bool is_unknown_solid = false;  ///< Unknown cells are solid as well; else they are air.
+  double prior = 1.0;             ///< Sums to 1 over those that a place is combined with.
+};
+
+/// The values of strength, background and shielding that each place is combined with.
 struct NuisanceNodes {
   std::vector<float> strengths;  ///< Evenly spaced logarithms.
   std::vector<float> backgrounds;
-  std::vector<float> attenuations_per_m;
+  std::vector<Shielding> shieldings;
 
-  std::size_t per_attenuation() const { return strengths.size() * backgrounds.size(); }
-  std::size_t size() const { return per_attenuation() * attenuations_per_m.size(); }
+  std::size_t per_shielding() const { return strengths.size() * backgrounds.size(); }
+  std::size_t size() const { return per_shielding() * shieldings.size(); }
 };
 
 /// Square places where the source may be, and for each the log-likelihood of all readings at all
-/// nuisance nodes: by attenuation, background, strength, and place. Lanes without a place have no
+/// nuisance nodes: by shielding, background, strength, and place. Lanes without a place have no
 /// area.
 struct LeafBlock {
   std::array<double, kLanes> x_m{};
@@ -56,7 +63,7 @@ struct ResponseLanes {
 /// the variance over that of a Poisson number; of a level a normal distribution.
 float log_likelihood(const ReadingTerms& reading, float source, float background, float variance);
 
-/// The log-likelihoods of a reading at the nodes of one attenuation: `backgrounds` times
+/// The log-likelihoods of a reading at the nodes of one shielding: `backgrounds` times
 /// `strengths` rows of lanes.
 void set_log_likelihoods(const ReadingTerms& reading,
                          const ResponseLanes& responses,

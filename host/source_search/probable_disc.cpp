@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "host/geometry/angle.hpp"
+#include "host/geometry/unit_vector.hpp"
+
 namespace echomap::source_search {
 
 using geometry::CellIndex;
@@ -17,6 +20,11 @@ namespace {
 constexpr double kBinM = 0.01;
 /// Discs are tried around cells that hold at least so much of what the most probable one does.
 constexpr float kMinCellShare = 0.2F;
+/// A normal error in the plane is stood for by so many.
+constexpr int kErrorRings = 10;
+constexpr int kErrorBearings = 12;
+/// Cells that hold less do not count for it.
+constexpr float kNegligibleCell = 1e-7F;
 
 /// Those whose middles are within the radius of that of the cell (0, 0).
 std::vector<CellIndex> disc_cells(double radius_m, double resolution_m) {
@@ -61,6 +69,37 @@ ProbableDisc most_probable_disc(const CellField& probability, double radius_m) {
     }
   }
   return best;
+}
+
+double sum_in_disc(const CellField& field, const Eigen::Vector2d& middle_m, double radius_m) {
+  return sum_around(field, field.cell_at(middle_m), disc_cells(radius_m, field.resolution_m()));
+}
+
+/// By errors that are as likely as each other, on rings.
+CellField with_error(const CellField& probability, double stddev_m) {
+  if (stddev_m <= 0.0) {
+    return probability;
+  }
+  CellField blurred(probability.bounds(), probability.resolution_m());
+  constexpr float kShare = 1.0F / (kErrorRings * kErrorBearings);
+  for (int ring = 0; ring < kErrorRings; ++ring) {
+    const double error_m = stddev_m * std::sqrt(-2.0 * std::log(1.0 - (ring + 0.5) / kErrorRings));
+    for (int i = 0; i < kErrorBearings; ++i) {
+      const Eigen::Vector2d off_m =
+          error_m * geometry::unit_vector(geometry::kFullTurnRad * i / kErrorBearings);
+      for (std::size_t from = 0; from < probability.size(); ++from) {
+        if (probability[from] <= kNegligibleCell) {
+          continue;
+        }
+        const CellIndex cell =
+            blurred.cell_at(probability.center_m(probability.cell(from)) + off_m);
+        if (blurred.holds(cell)) {
+          blurred[blurred.index(cell)] += kShare * probability[from];
+        }
+      }
+    }
+  }
+  return blurred;
 }
 
 double radius_with_share_m(const CellField& probability,

@@ -17,6 +17,15 @@ struct ProbableDisc {
 /// the cells that are themselves among the more probable ones. Cells count by their middles.
 ProbableDisc most_probable_disc(const mapping::CellField& probability, double radius_m);
 
+/// The sum in the disc of that radius around the middle of the cell that `middle_m` is in.
+double sum_in_disc(const mapping::CellField& field,
+                   const Eigen::Vector2d& middle_m,
+                   double radius_m);
+
+/// A probability field of places that all have the same normal error, along each axis. What falls
+/// out of the field is lost.
+mapping::CellField with_error(const mapping::CellField& probability, double stddev_m);
+
 /// The radius of the smallest disc around a point that holds that share of a field's sum; 0 where
 /// that is 0.
 double radius_with_share_m(const mapping::CellField& probability,

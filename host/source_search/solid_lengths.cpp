@@ -7,6 +7,11 @@
 
 namespace echomap::source_search {
 
+using exploration::CellValues;
+using exploration::for_each_cell;
+using geometry::CellIndex;
+using mapping::CellState;
+
 namespace {
 
 /// How far a line is followed without a look, at most.
@@ -16,37 +21,74 @@ constexpr float kFineStepCells = 0.5F;
 /// A cell that is d cells from the nearest occupied one has so much less of clear way around any of
 /// its points.
 constexpr float kTwoHalfDiagonals = 1.4143F;
+/// What is less likely solid than this is air.
+constexpr float kMinSolidShare = 0.02F;
+
+CellValues<float> unknown_solids(const mapping::RasterMap& map,
+                                 const CellValues<float>& floor_chance) {
+  CellValues<float> solids(map, 0.0F);
+  for_each_cell(map, [&](CellIndex cell) {
+    const float share = 1.0F - floor_chance[cell];
+    const bool is_unknown = map.state(cell) == CellState::kUnknown;
+    solids[cell] = is_unknown && share >= kMinSolidShare ? share : 0.0F;
+  });
+  return solids;
+}
+
+/// With obstacles where it is solid or may be.
+mapping::RasterMap matter_of(const mapping::RasterMap& map, const CellValues<float>& unknown) {
+  mapping::RasterMap matter = map;
+  for_each_cell(map, [&](CellIndex cell) {
+    if (unknown[cell] > 0.0F) {
+      matter.set(cell, CellState::kOccupied);
+    }
+  });
+  return matter;
+}
 
 }  // namespace
 
-SolidLengths::SolidLengths(const mapping::RasterMap& map) : field_(map, kMaxClearM) {}
+SolidLengths::SolidLengths(const mapping::RasterMap& map,
+                           const CellValues<float>& floor_chance,
+                           double hollow_m)
+    : hollow_m_(hollow_m),
+      unknown_(unknown_solids(map, floor_chance)),
+      field_(matter_of(map, unknown_), kMaxClearM) {
+  for_each_cell(map, [&](CellIndex cell) { has_unknown_ = has_unknown_ || unknown_[cell] > 0.0F; });
+}
 
-double SolidLengths::between_m(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const {
+CrossedLengths SolidLengths::between(const Eigen::Vector2d& sensor_m,
+                                     const Eigen::Vector2d& source_m) const {
   const double per_cell = 1.0 / field_.resolution_m();
-  const Eigen::Vector2f from = ((from_m - field_.origin_m()) * per_cell).cast<float>();
-  const Eigen::Vector2f line = ((to_m - from_m) * per_cell).cast<float>();
+  const Eigen::Vector2f from = ((source_m - field_.origin_m()) * per_cell).cast<float>();
+  const Eigen::Vector2f line = ((sensor_m - source_m) * per_cell).cast<float>();
   const float length = line.norm();
   if (length <= 0.0F) {
-    return 0.0;
+    return {};
   }
   const Eigen::Vector2f direction = line / length;
   const auto columns = static_cast<float>(field_.columns());
   const auto rows = static_cast<float>(field_.rows());
+  const auto hollow = static_cast<float>(hollow_m_ * per_cell);
   float solid = 0.0F;
+  float unknown = 0.0F;
   float step = 0.0F;
+  bool is_in_hollow = true;
   for (float at = 0.0F; at < length; at += step) {
     const float middle = at + 0.5F * kFineStepCells;
     const float x = from.x() + middle * direction.x();
     const float y = from.y() + middle * direction.y();
     const bool is_inside = x >= 0.0F && y >= 0.0F && x < columns && y < rows;
-    const float clear =
-        is_inside
-            ? field_.distance_cells({static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)})
-            : kTwoHalfDiagonals;
+    const CellIndex cell{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+    const float clear = is_inside ? field_.distance_cells(cell) : kTwoHalfDiagonals;
     step = std::min(std::max(kFineStepCells, clear - kTwoHalfDiagonals), length - at);
-    solid += clear == 0.0F ? step : 0.0F;
+    const float share = clear == 0.0F ? unknown_[cell] : 0.0F;
+    is_in_hollow = is_in_hollow && share > 0.0F && at < hollow;
+    solid += clear == 0.0F && share == 0.0F ? step : 0.0F;
+    unknown += is_in_hollow ? 0.0F : step * share;
   }
-  return static_cast<double>(solid) * field_.resolution_m();
+  return {static_cast<double>(solid) * field_.resolution_m(),
+          static_cast<double>(unknown) * field_.resolution_m()};
 }
 
 /// Along the axis of the cone, which widens towards the disc and ends behind it.

@@ -3,30 +3,45 @@
 
 #include <Eigen/Core>
 
+#include "host/exploration/cell_values.hpp"
 #include "host/mapping/distance_field.hpp"
 #include "host/mapping/raster_map.hpp"
 
 namespace echomap::source_search {
 
-/// How much solid lies between two places of a map: the length in occupied cells. Unknown cells and
-/// what is outside of the map are air.
+/// What lies on the straight line from a source to a sensor.
+struct CrossedLengths {
+  double solid_m = 0.0;    ///< In occupied cells.
+  double unknown_m = 0.0;  ///< In unknown ones, each by how likely it is not floor.
+};
+
+/// How much solid lies between two places of a floor. What is outside of the map is air.
 class SolidLengths {
  public:
-  explicit SolidLengths(const mapping::RasterMap& map);
+  /// `floor_chance` is how likely unknown cells are floor that a way leads to. A source lies in
+  /// air: the unknown cells around it, on each line up to `hollow_m`, do not count.
+  SolidLengths(const mapping::RasterMap& map,
+               const exploration::CellValues<float>& floor_chance,
+               double hollow_m);
 
-  /// Metres of solid on the straight line, right to half a cell for each wall that is crossed.
-  double between_m(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const;
-  /// Whether there is certainly no solid between a place and all points of a disc; false may be
-  /// wrong.
+  /// Right to half a cell for each wall that is crossed.
+  CrossedLengths between(const Eigen::Vector2d& sensor_m, const Eigen::Vector2d& source_m) const;
+  /// Whether there is certainly nothing solid, nor unknown that may be, between a place and all
+  /// points of a disc; false may be wrong.
   bool is_clear(const Eigen::Vector2d& from_m,
                 const Eigen::Vector2d& middle_m,
                 double radius_m) const;
+  /// Whether any unknown cell may be solid.
+  bool has_unknown() const { return has_unknown_; }
 
  private:
-  /// How far around a point there is certainly no solid; 0 or less for none, and outside.
+  /// How far around a point there is certainly nothing; 0 or less for none, and outside.
   double clearance_m(const Eigen::Vector2d& at_m) const;
 
-  mapping::DistanceField field_;
+  double hollow_m_;
+  bool has_unknown_ = false;
+  exploration::CellValues<float> unknown_;  ///< How likely an unknown cell is not floor.
+  mapping::DistanceField field_;            ///< To the nearest cell that is or may be solid.
 };
 
 }  // namespace echomap::source_search

@@ -46,6 +46,8 @@ void validate_belief(const SourceBeliefParams& params) {
       .positive_finite("found_radius_m", params.found_radius_m)
       .above("claim_probability", params.claim_probability, 0.5)
       .below("claim_probability", params.claim_probability, 1.0)
+      .positive_finite("confirm_m", params.confirm_m)
+      .nonnegative_finite("confirm_pulses", params.confirm_pulses)
       .positive_finite("split_probability", params.split_probability);
 }
 
@@ -86,8 +88,12 @@ const NuisanceShare& chosen(const std::vector<NuisanceShare>& shares, double at)
 
 }  // namespace
 
-SourceBelief::SourceBelief(const SourceBeliefParams& params, const mapping::RasterMap& map)
-    : params_((validate_belief(params), params)), grid_(params.grid, map) {
+SourceBelief::SourceBelief(const SourceBeliefParams& params, const SourceFloor& floor)
+    : params_((validate_belief(params), params)),
+      grid_(params.grid, floor),
+      unseen_m2_(floor.unseen_m2),
+      is_in_the_making_(floor.is_in_the_making),
+      position_stddev_m_(floor.position_stddev_m) {
   update();
 }
 
@@ -96,8 +102,11 @@ void SourceBelief::add(std::span<const FieldReading> readings) {
   update();
 }
 
-void SourceBelief::rebuild(const mapping::RasterMap& map, std::span<const FieldReading> readings) {
-  grid_ = HypothesisGrid(params_.grid, map);
+void SourceBelief::rebuild(const SourceFloor& floor, std::span<const FieldReading> readings) {
+  grid_ = HypothesisGrid(params_.grid, floor);
+  unseen_m2_ = floor.unseen_m2;
+  is_in_the_making_ = floor.is_in_the_making;
+  position_stddev_m_ = floor.position_stddev_m;
   readings_at_background_choice_ = kMinReadings;
   grid_.add(readings);
   update();
@@ -128,6 +137,7 @@ double SourceBelief::strength_slack() const {
   return 0.125 * square(step) * pulses;
 }
 
+/// A source on unseen floor adds nothing to any reading, as none does.
 void SourceBelief::set_marginals() {
   const std::vector<float> background_masses = source_search::background_masses(grid_);
   std::vector<double> maxima;
@@ -137,15 +147,16 @@ void SourceBelief::set_marginals() {
     best = std::max(best, maxima.back());
   }
   const double least = best - kNegligible - strength_slack();
-  const double density = (1.0 - params_.none_prior) / grid_.area_m2();
+  const double density = (1.0 - params_.none_prior) / (grid_.area_m2() + unseen_m2_);
+  const double silent_prior = params_.none_prior + density * unseen_m2_;
   double total = 0.0;
   background_.assign(grid_.none().size(), 0.0);
   for (std::size_t b = 0; b < background_.size(); ++b) {
-    background_[b] = params_.none_prior * static_cast<double>(background_masses[b]) *
-                     std::exp(grid_.none()[b] - best);
+    background_[b] =
+        silent_prior * static_cast<double>(background_masses[b]) * std::exp(grid_.none()[b] - best);
     total += background_[b];
   }
-  const double none = total;
+  const double silent = total;
   place_.assign(grid_.blocks().size(), {});
   for (std::size_t i = 0; i < place_.size(); ++i) {
     if (maxima[i] < least) {
@@ -166,7 +177,8 @@ void SourceBelief::set_marginals() {
   for (double& probability : background_) {
     probability /= total;
   }
-  estimate_.none_probability = none / total;
+  estimate_.none_probability = silent / total * params_.none_prior / silent_prior;
+  estimate_.unseen_probability = silent / total - estimate_.none_probability;
   double mean = 0.0;
   double mean_square = 0.0;
   for (std::size_t b = 0; b < background_.size(); ++b) {
@@ -216,15 +228,41 @@ bool SourceBelief::refine_backgrounds() {
   return true;
 }
 
+bool SourceBelief::confirms(const Eigen::Vector2d& at_m) const {
+  const Eigen::Vector2d& place_m = estimate_.best_m;
+  return (at_m - place_m).norm() <= params_.confirm_m &&
+         is_in_sight(
+             grid_.map(), at_m, place_m, grid_.params().solid_depth_m, params_.found_radius_m);
+}
+
+/// Far off, a place is told by the shadows of what the map has, and they are as wrong as it is, for
+/// many readings alike. Beside the source only the distance counts.
+bool SourceBelief::is_confirmed() const {
+  double expected = 0.0;
+  for (const FieldReading& reading : grid_.readings()) {
+    if (confirms(reading.at_m)) {
+      expected += estimate_.strength.median * reading.dwell_s *
+                  grid_.response_at(reading, estimate_.best_m, 0.0, {}).response;
+    }
+  }
+  return expected >= params_.confirm_pulses;
+}
+
+/// A claim is of the place against the map around it. How probably that is within the radius of
+/// where the source truly is, is told with the error of the map.
 void SourceBelief::set_estimate() {
   const CellField probability = place_probability();
   const ProbableDisc disc = most_probable_disc(probability, params_.found_radius_m);
+  const CellField blurred = with_error(probability, position_stddev_m_);
   estimate_.best_m = disc.middle_m;
-  estimate_.within_probability = std::min(disc.probability, 1.0);
-  estimate_.radius_95_m = radius_with_share_m(probability, disc.middle_m, kRegionProbability);
+  estimate_.within_probability =
+      std::min(sum_in_disc(blurred, disc.middle_m, params_.found_radius_m), 1.0);
+  estimate_.radius_95_m = radius_with_share_m(blurred, disc.middle_m, kRegionProbability);
   estimate_.strength = strength_at(disc.middle_m);
   estimate_.verdict = SourceVerdict::kUndecided;
-  if (estimate_.within_probability >= params_.claim_probability) {
+  const bool is_probable = disc.probability >= params_.claim_probability;
+  estimate_.is_to_confirm = is_probable && is_in_the_making_ && !is_confirmed();
+  if (is_probable && !estimate_.is_to_confirm) {
     estimate_.verdict = SourceVerdict::kFound;
   } else if (estimate_.none_probability >= params_.claim_probability) {
     estimate_.verdict = SourceVerdict::kNone;
@@ -290,13 +328,13 @@ CellField SourceBelief::place_probability() const {
 
 std::vector<SourceHypothesis> SourceBelief::sample(std::size_t count, double offset) const {
   const std::vector<LeafIndex> order = leaves_in_order();
-  const double none = estimate_.none_probability;
+  const double silent = estimate_.none_probability + estimate_.unseen_probability;
   std::vector<SourceHypothesis> hypotheses{
-      {none, std::nullopt, 0.0, 0.0, estimate_.background.median, 0.0}};
+      {silent, std::nullopt, 0.0, 0.0, estimate_.background.median, {}}};
   if (order.empty()) {
     return hypotheses;
   }
-  const double each = (1.0 - none) / static_cast<double>(count);
+  const double each = (1.0 - silent) / static_cast<double>(count);
   double sum = 0.0;
   std::size_t next = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -314,7 +352,7 @@ std::vector<SourceHypothesis> SourceBelief::sample(std::size_t count, double off
                           block.edge_m[leaf.lane],
                           share.strength,
                           share.background,
-                          share.attenuation_per_m});
+                          share.shielding});
   }
   return hypotheses;
 }

@@ -21,6 +21,11 @@ struct SourceBeliefParams {
   /// A source is found within this distance, with this probability; with the same there is none.
   double found_radius_m = 0.2;
   double claim_probability = 0.95;
+  /// In a map in the making a place is claimed only once so many pulses of its source are expected
+  /// to have been read within `confirm_m`, in sight of it: there, without the source, that many
+  /// would be missed in all but 5 % of cases.
+  double confirm_m = 0.5;
+  double confirm_pulses = 3.0;
   /// A square that holds more of the probability than this is split.
   double split_probability = 0.004;
 };
@@ -32,7 +37,7 @@ struct SourceHypothesis {
   double edge_m = 0.0;                  ///< Of the square that it stands for.
   double strength = 0.0;
   double background = 0.0;
-  double attenuation_per_m = 0.0;
+  Shielding shielding;
 };
 
 /// Where one source may be, how strong it is and whether there is any, given all readings: Bayes'
@@ -41,19 +46,23 @@ struct SourceHypothesis {
 class SourceBelief {
  public:
   /// Throws std::invalid_argument for invalid parameters.
-  SourceBelief(const SourceBeliefParams& params, const mapping::RasterMap& map);
+  SourceBelief(const SourceBeliefParams& params, const SourceFloor& floor);
 
   /// Takes more readings, of this robot or of others.
   void add(std::span<const FieldReading> readings);
-  /// Starts again on another map, with these readings in place of those so far.
-  void rebuild(const mapping::RasterMap& map, std::span<const FieldReading> readings);
+  /// Starts again on another floor, with these readings in place of those so far.
+  void rebuild(const SourceFloor& floor, std::span<const FieldReading> readings);
 
   const SourceEstimate& estimate() const { return estimate_; }
-  /// Hypotheses that stand for all: that there is none, and `count` places, spread evenly over the
-  /// probability; `offset` from 0 to 1 chooses which.
+  /// Hypotheses that stand for all: that there is none or that it is on unseen floor, which no
+  /// reading tells apart, and `count` places, spread evenly over the probability; `offset` from 0
+  /// to 1 chooses which.
   std::vector<SourceHypothesis> sample(std::size_t count, double offset) const;
   /// The probability of each cell to hold the source, in cells of the smallest square.
   mapping::CellField place_probability() const;
+
+  /// Whether a reading there confirms, or refutes, the most probable place.
+  bool confirms(const Eigen::Vector2d& at_m) const;
 
   const HypothesisGrid& grid() const { return grid_; }
   const SourceBeliefParams& params() const { return params_; }
@@ -64,6 +73,7 @@ class SourceBelief {
   bool refine_places();
   bool refine_backgrounds();
   void set_estimate();
+  bool is_confirmed() const;
   double strength_slack() const;
   LogEstimate strength_at(const Eigen::Vector2d& at_m) const;
   std::vector<LeafIndex> leaves() const;
@@ -71,6 +81,9 @@ class SourceBelief {
 
   SourceBeliefParams params_;
   HypothesisGrid grid_;
+  double unseen_m2_;
+  bool is_in_the_making_;
+  double position_stddev_m_;
   /// By block and lane: that the source is there.
   std::vector<std::array<double, kLanes>> place_;
   std::vector<double> background_;  ///< By node of the grid.

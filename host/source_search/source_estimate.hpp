@@ -25,10 +25,14 @@ struct SourceEstimate {
   SourceVerdict verdict = SourceVerdict::kUndecided;
   /// That there is no source as strong as the weakest that counts.
   double none_probability = 1.0;
+  /// That the source is on floor that the map has not, too far from it to be read.
+  double unseen_probability = 0.0;
   /// The middle of the disc that most probably holds the source, in the map frame.
   Eigen::Vector2d best_m = Eigen::Vector2d::Zero();
   /// That the source is there and in that disc.
   double within_probability = 0.0;
+  /// That is as probable as a claim has to be, but was not confirmed from beside.
+  bool is_to_confirm = false;
   /// The disc around `best_m` that holds the source with 95 %, if there is one.
   double radius_95_m = 0.0;
   LogEstimate strength;  ///< Of a source at `best_m`, one metre away.

@@ -37,12 +37,11 @@ double rate_at(const SourceBelief& belief,
   for (const SourceHypothesis& hypothesis : hypotheses) {
     double expected = hypothesis.background;
     if (hypothesis.at_m) {
-      expected += hypothesis.strength * belief.grid()
-                                            .response_at(reading,
-                                                         *hypothesis.at_m,
-                                                         hypothesis.edge_m,
-                                                         hypothesis.attenuation_per_m)
-                                            .response;
+      expected +=
+          hypothesis.strength *
+          belief.grid()
+              .response_at(reading, *hypothesis.at_m, hypothesis.edge_m, hypothesis.shielding)
+              .response;
     }
     rate += hypothesis.probability * expected;
   }
@@ -87,6 +86,7 @@ std::string source_json(const SourceEstimate& estimate, const SourceBeliefParams
   SourceJson json;
   json["verdict"] = name_of(estimate.verdict);
   json["none_probability"] = rounded(estimate.none_probability);
+  json["unseen_probability"] = rounded(estimate.unseen_probability);
   json["min_strength"] = params.grid.field.min_strength;
   json["best_m"] = {rounded(estimate.best_m.x()), rounded(estimate.best_m.y())};
   json["found_radius_m"] = params.found_radius_m;

@@ -34,10 +34,12 @@ bool is_same(const FieldReading& one, const FieldReading& other) {
 }  // namespace
 
 SourceSearch::SourceSearch(const SourceSearchParams& params)
-    : params_(params), navigator_(params.navigator), choice_(params.choice) {
+    : params_(params),
+      navigator_(params.frontier.navigator),
+      choice_(params.choice),
+      rest_(params.frontier) {
   geometry::ParameterValidator("source search")
-      .require(exploration::is_possible(params.sweep),
-               "the sweep is impossible: check its range and its steps")
+      .nonnegative_finite("beyond_m", params.beyond_m)
       .nonnegative_finite("nats_per_unknown_m2", params.nats_per_unknown_m2)
       .positive_finite("rethink_s", params.rethink_s)
       .positive("max_goals", params.max_goals);
@@ -53,7 +55,18 @@ void SourceSearch::set_readings(std::vector<FieldReading> readings) {
   readings_ = std::move(readings);
 }
 
+void SourceSearch::set_company(const exploration::Company& company) {
+  navigator_.set_standing(company.standing);
+  exploration::Company others;
+  others.standing = company.standing;
+  others.promised = company.promised;
+  rest_.set_company(std::move(others));
+}
+
 Motion SourceSearch::next(const pipeline::Snapshot& snapshot, MotionResult last) {
+  if (explores_rest_) {
+    return explore_rest(snapshot, last);
+  }
   scan_.end_motion(last);
   if (auto motion = recover(snapshot, last)) {
     return *motion;
@@ -81,11 +94,74 @@ bool SourceSearch::has_become_sure() {
   return verdict == SourceVerdict::kFound || (verdict == SourceVerdict::kNone && !is_look_);
 }
 
+/// No reading tells more: there is none as far as the map goes, or the source is where no way
+/// leads.
+bool SourceSearch::has_to_see_more(const pipeline::Snapshot& snapshot) const {
+  const SourceEstimate& estimate = belief_->estimate();
+  if (estimate.is_to_confirm) {
+    return !choose_confirmation(snapshot);
+  }
+  return estimate.none_probability + estimate.unseen_probability >=
+         params_.belief.claim_probability;
+}
+
+/// The nearest place by its way that tells whether the source is where it most probably is.
+std::optional<Viewpoint> SourceSearch::choose_confirmation(
+    const pipeline::Snapshot& snapshot) const {
+  const exploration::CostGrid& costs = navigator_.costs();
+  exploration::TravelField travel;
+  travel.search(costs, costs.cell_at(snapshot.latest.T_map_robot.position_m()));
+  const Eigen::Vector2d& place_m = belief_->estimate().best_m;
+  const geometry::CellIndex low = costs.cell_at(place_m.array() - params_.belief.confirm_m);
+  const geometry::CellIndex high = costs.cell_at(place_m.array() + params_.belief.confirm_m);
+  std::optional<Viewpoint> nearest;
+  for (std::int32_t y = low.y; y <= high.y; ++y) {
+    for (std::int32_t x = low.x; x <= high.x; ++x) {
+      const auto cost_m = costs.is_open({x, y}) ? travel.cost_m({x, y}) : std::nullopt;
+      if (cost_m && (!nearest || *cost_m < nearest->cost_m) &&
+          belief_->confirms(costs.center_m({x, y}))) {
+        nearest = Viewpoint{costs.center_m({x, y}), {}, *cost_m, 0.0};
+      }
+    }
+  }
+  return nearest;
+}
+
+/// As strategy `frontier`, until nothing is left to see, or something was read: that is noticed on
+/// the way, not amid a sweep.
+Motion SourceSearch::explore_rest(const pipeline::Snapshot& snapshot, MotionResult last) {
+  if (rest_.goal()) {
+    update(snapshot);
+    if (!has_to_see_more(snapshot)) {
+      return end_rest(snapshot);
+    }
+  }
+  const Motion motion = rest_.next(snapshot, last);
+  const auto* finished = std::get_if<Finished>(&motion);
+  if (finished != nullptr && finished->reason == FinishReason::kComplete) {
+    is_explored_ = true;
+    return end_rest(snapshot);
+  }
+  plan_readings_.clear();
+  if (const auto goal = rest_.goal()) {
+    plan_readings_.push_back({goal->at_m, params_.choice.dwell_s});
+  }
+  return motion;
+}
+
+Motion SourceSearch::end_rest(const pipeline::Snapshot& snapshot) {
+  explores_rest_ = false;
+  phase_ = Phase::kBackingOff;
+  stops_of_map_.reset();
+  return decide(snapshot);
+}
+
 /// As exploration::Frontier.
 std::optional<Motion> SourceSearch::recover(const pipeline::Snapshot& snapshot, MotionResult last) {
   if (last == MotionResult::kLifted || last == MotionResult::kTakenOver) {
     scan_ = {};
     phase_ = Phase::kStarting;
+    is_explored_ = false;
   }
   if (last == MotionResult::kTakenOver) {
     navigator_.forget_failures();
@@ -100,13 +176,19 @@ std::optional<Motion> SourceSearch::recover(const pipeline::Snapshot& snapshot, 
 }
 
 void SourceSearch::reconsider() {
-  if (phase_ == Phase::kDriving) {
+  if (explores_rest_) {
+    rest_.reconsider();
+  } else if (phase_ == Phase::kDriving) {
     phase_ = Phase::kBackingOff;
     goal_m_.reset();
+    stops_of_map_.reset();
   }
 }
 
 exploration::Intent SourceSearch::intent() const {
+  if (explores_rest_) {
+    return rest_.intent();
+  }
   if (!goal_m_) {
     return {};
   }
@@ -116,15 +198,40 @@ exploration::Intent SourceSearch::intent() const {
 }
 
 void SourceSearch::set_map(const pipeline::Snapshot& snapshot) {
-  map_ = navigator_.map_of(snapshot, params_.gain.depth_m);
+  const double reach_m = params_.explores ? params_.belief.grid.unknown_reach_m : 0.0;
+  map_ = navigator_.map_of(snapshot, std::max(params_.frontier.gain.depth_m, reach_m));
   set_ways(snapshot);
   stops_of_map_ = snapshot.stops;
+  const SourceFloor floor = floor_of(snapshot);
   if (!belief_) {
-    belief_.emplace(params_.belief, *map_);
+    belief_.emplace(params_.belief, floor);
   }
-  belief_->rebuild(*map_, readings_);
+  belief_->rebuild(floor, readings_);
   known_readings_ = readings_.size();
   are_readings_moved_ = false;
+}
+
+/// Once all is explored, nothing is expected beyond it.
+SourceFloor SourceSearch::floor_of(const pipeline::Snapshot& snapshot) const {
+  if (!params_.explores) {
+    return {*map_};
+  }
+  SourceFloor floor(*map_, view_gain(snapshot));
+  floor.position_stddev_m = snapshot.position_stddev_m.value_or(0.0);
+  if (!is_explored_) {
+    floor.unseen_m2 = floor_beyond_m2(floor,
+                                      params_.belief.grid.unknown_reach_m,
+                                      params_.frontier.gain.depth_m,
+                                      params_.beyond_m);
+  }
+  return floor;
+}
+
+exploration::ViewGain SourceSearch::view_gain(const pipeline::Snapshot& snapshot) const {
+  return {*map_,
+          exploration::views_of(*snapshot.scans),
+          snapshot.features->unobserved,
+          params_.frontier.gain};
 }
 
 void SourceSearch::set_ways(const pipeline::Snapshot& snapshot) {
@@ -170,11 +277,43 @@ Motion SourceSearch::decide(const pipeline::Snapshot& snapshot) {
     has_ended_ = true;
     return Finished{FinishReason::kComplete};
   }
+  const bool is_stuck = params_.explores && !look && has_to_see_more(snapshot);
+  if (is_stuck && is_explored_) {
+    return Finished{FinishReason::kNowhereToGo};
+  }
+  if (is_stuck) {
+    explores_rest_ = true;
+    rest_.reconsider();
+    return explore_rest(snapshot, MotionResult::kReached);
+  }
   if (++goals_ > params_.max_goals) {
     return Finished{FinishReason::kStopLimit};
   }
+  const auto cost_m = choose_goal(snapshot, look);
+  if (!cost_m) {
+    return Finished{FinishReason::kNowhereToGo};
+  }
+  const geometry::Pose2& T_map_robot = snapshot.latest.T_map_robot;
+  const bool is_here = (*goal_m_ - T_map_robot.position_m()).norm() < kArrivedM;
+  navigator_.follow_path_to(T_map_robot, *goal_m_, is_here ? 0.0 : *cost_m);
+  phase_ = Phase::kDriving;
+  return drive_on(snapshot);
+}
+
+/// Answers what the way there may cost.
+std::optional<double> SourceSearch::choose_goal(const pipeline::Snapshot& snapshot,
+                                                const std::optional<Viewpoint>& look) {
   const Eigen::Vector2d here_m = snapshot.latest.T_map_robot.position_m();
   const bool is_under_way = phase_ == Phase::kDriving && !is_look_;
+  const auto confirmation =
+      belief_->estimate().is_to_confirm ? choose_confirmation(snapshot) : std::nullopt;
+  if (confirmation) {
+    is_look_ = false;
+    goal_m_ = confirmation->at_m;
+    goal_dwell_s_ = params_.choice.dwell_s;
+    plan_readings_ = {{confirmation->at_m, goal_dwell_s_}};
+    return confirmation->cost_m;
+  }
   const auto plan = choice_.choose(*belief_,
                                    navigator_.costs(),
                                    *lattice_,
@@ -188,32 +327,26 @@ Motion SourceSearch::decide(const pipeline::Snapshot& snapshot) {
     goal_m_ = look->at_m;
     goal_dwell_s_ = 0.0;
     plan_readings_ = {{look->at_m, params_.choice.dwell_s}};
-  } else if (plan) {
-    goal_m_ = plan->goal_m;
-    goal_dwell_s_ = plan->dwell_s;
-    plan_readings_ = plan->readings;
-  } else {
-    return Finished{FinishReason::kNowhereToGo};
+    return look->cost_m;
   }
-  const bool is_here = (*goal_m_ - here_m).norm() < kArrivedM;
-  const double cost_m =
-      is_look_ ? look->cost_m
-               : kWaySlack * (plan->time_s - plan->dwell_s) * params_.choice.speed_m_per_s;
-  navigator_.follow_path_to(snapshot.latest.T_map_robot, *goal_m_, is_here ? 0.0 : cost_m);
-  phase_ = Phase::kDriving;
-  return drive_on(snapshot);
+  if (!plan) {
+    return std::nullopt;
+  }
+  goal_m_ = plan->goal_m;
+  goal_dwell_s_ = plan->dwell_s;
+  plan_readings_ = plan->readings;
+  return kWaySlack * (plan->time_s - plan->dwell_s) * params_.choice.speed_m_per_s;
 }
 
 std::optional<Viewpoint> SourceSearch::choose_look(const pipeline::Snapshot& snapshot) const {
   const geometry::Pose2& T_map_robot = snapshot.latest.T_map_robot;
-  const exploration::ViewGain gain(
-      *map_, exploration::views_of(*snapshot.scans), snapshot.features->unobserved, params_.gain);
+  const exploration::ViewGain gain = view_gain(snapshot);
   const auto frontiers =
       exploration::find_frontiers(*map_, map_->cell_at(T_map_robot.position_m()));
   exploration::TravelField travel;
   travel.search(navigator_.costs(), navigator_.costs().cell_at(T_map_robot.position_m()));
   const auto weighed = exploration::weigh_viewpoints(
-      navigator_.costs(), travel, frontiers, gain, T_map_robot, params_.viewpoints);
+      navigator_.costs(), travel, frontiers, gain, T_map_robot, params_.frontier.viewpoints);
   return weighed.empty() ? std::nullopt : std::optional(weighed.front());
 }
 
@@ -233,7 +366,8 @@ Motion SourceSearch::drive_on(const pipeline::Snapshot& snapshot) {
 Motion SourceSearch::begin_sweep(const pipeline::Snapshot& snapshot) {
   phase_ = Phase::kSensing;
   const double heading_rad = snapshot.latest.T_map_robot.heading_rad();
-  return scan_.begin(exploration::stop_sweep(params_.sweep, snapshot.stops, heading_rad > 0.0));
+  return scan_.begin(
+      exploration::stop_sweep(params_.frontier.sweep, snapshot.stops, heading_rad > 0.0));
 }
 
 }  // namespace echomap::source_search

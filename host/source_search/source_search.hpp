@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "host/exploration/explorer.hpp"
+#include "host/exploration/frontier.hpp"
 #include "host/exploration/navigator.hpp"
-#include "host/exploration/round_sweep.hpp"
 #include "host/exploration/scan_plan.hpp"
 #include "host/exploration/view_gain.hpp"
 #include "host/exploration/viewpoint_choice.hpp"
@@ -19,15 +19,15 @@ namespace echomap::source_search {
 
 /// Values without another source are ours, chosen in simulation.
 struct SourceSearchParams {
-  exploration::NavigatorParams navigator;
+  /// How floor that the map has not is looked for, and ways are driven.
+  exploration::FrontierParams frontier;
   SourceBeliefParams belief;
   DwellChoiceParams choice;
   /// Whether floor that the map has not is looked for, too; else the map is taken as whole.
   bool explores = true;
-  exploration::ViewGainParams gain;
-  exploration::ViewpointParams viewpoints;
-  exploration::RoundSweepParams sweep{
-      6.283185307179586, 0.06981317007977318, 1.5707963267948966, 0.03};
+  /// Floor is expected to go on for so far behind the unknown cells that may hold the source, where
+  /// nothing says that it ends: about half a room.
+  double beyond_m = 2.0;
   /// What a square metre of unknown floor that a look shows is worth, in nats: about the share of a
   /// source's prior that lies on it.
   double nats_per_unknown_m2 = 0.03;
@@ -38,7 +38,8 @@ struct SourceSearchParams {
 };
 
 /// Strategy `source`: searches a source by what a scalar sensor reads, in a map that may still be
-/// made, until it is found or there is certainly none. It drives where it expects most information
+/// made, until it is found or there is certainly none: where that map has none, it explores the
+/// rest as strategy `frontier` does before it says so. It drives where it expects most information
 /// about the source for the time (after Ristic et al. 2010), counts on the way and waits to count
 /// more, and where unknown floor promises more it looks there first. Readings of others are as good
 /// as its own, and what others are about to read is not sought twice.
@@ -52,13 +53,14 @@ class SourceSearch final : public exploration::Explorer {
   void set_readings(std::vector<FieldReading> readings);
   /// What others are about to read, in this robot's map: their `plan()`.
   void set_plans_of_others(std::vector<PlannedDwell> plans) { others_ = std::move(plans); }
-  /// Others who stand about from now on: ways lead round them.
-  void set_standing(std::vector<exploration::OccupiedFloor> standing) {
-    navigator_.set_standing(std::move(standing));
-  }
+  /// Others from now on: ways lead round where they stand, and what they have promised to look at
+  /// is left to them while this robot explores the rest. What they have seen is in the snapshots.
+  void set_company(const exploration::Company& company);
   /// Decides anew with the next motion: something is in its way.
   void reconsider();
-  bool is_driving() const { return phase_ == Phase::kDriving; }
+  bool is_driving() const {
+    return explores_rest_ ? rest_.goal().has_value() : phase_ == Phase::kDriving;
+  }
   /// Whether it has ended with an answer.
   bool has_ended() const { return has_ended_; }
   /// What this robot is about to read; empty while it does not know.
@@ -80,7 +82,17 @@ class SourceSearch final : public exploration::Explorer {
   void set_map(const pipeline::Snapshot& snapshot);
   void set_ways(const pipeline::Snapshot& snapshot);
   void take_readings();
+  SourceFloor floor_of(const pipeline::Snapshot& snapshot) const;
+  exploration::ViewGain view_gain(const pipeline::Snapshot& snapshot) const;
   bool has_become_sure();
+  bool has_to_see_more(const pipeline::Snapshot& snapshot) const;
+  std::optional<exploration::Viewpoint> choose_confirmation(
+      const pipeline::Snapshot& snapshot) const;
+  std::optional<double> choose_goal(const pipeline::Snapshot& snapshot,
+                                    const std::optional<exploration::Viewpoint>& look);
+  exploration::Motion explore_rest(const pipeline::Snapshot& snapshot,
+                                   exploration::MotionResult last);
+  exploration::Motion end_rest(const pipeline::Snapshot& snapshot);
   bool has_to_think(const pipeline::Snapshot& snapshot) const;
   exploration::Motion decide(const pipeline::Snapshot& snapshot);
   std::optional<exploration::Viewpoint> choose_look(const pipeline::Snapshot& snapshot) const;
@@ -106,6 +118,9 @@ class SourceSearch final : public exploration::Explorer {
   bool is_look_ = false;  ///< The goal is to look from, not to count at.
   time::RobotTime thought_at_;
   std::size_t goals_ = 0;
+  exploration::Frontier rest_;
+  bool explores_rest_ = false;
+  bool is_explored_ = false;  ///< Nothing is left to look at.
   bool has_ended_ = false;
 };
 

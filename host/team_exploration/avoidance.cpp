@@ -213,4 +213,16 @@ Motion Avoidance::back_off() {
   return exploration::Drive{-params_.back_off_m};
 }
 
+exploration::Company Avoidance::company(const TeamView& view) const {
+  exploration::Company company = company_of(view);
+  for (std::size_t i = 0; i < view.peers.size(); ++i) {
+    if (stays(view.peers[i])) {
+      exploration::OccupiedFloor& floor = company.standing[i];
+      floor.is_closed = true;
+      floor.radius_m = keep_off_m(view.peers[i]) - params_.guard.robot_radius_m;
+    }
+  }
+  return company;
+}
+
 }  // namespace echomap::team_exploration

@@ -72,6 +72,10 @@ class Avoidance {
   /// Makes way for a robot that waits for this one; false where it need not, or cannot.
   bool make_way(const pipeline::Snapshot& snapshot, const TeamView& view);
 
+  /// The others, of whom those who stay are walls, with the room that is left to them; the rest
+  /// will be gone.
+  exploration::Company company(const TeamView& view) const;
+
   bool is_making_way() const { return aside_.has_value(); }
   /// Who is in its way; empty for nobody.
   std::string waits_for() const;

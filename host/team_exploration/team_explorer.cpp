@@ -103,7 +103,7 @@ Motion TeamExplorer::explore(const Snapshot& snapshot, MotionResult last) {
     avoidance_.make_way(snapshot, view_);
     return Stand{params_.avoidance.look_again_s};
   }
-  frontier_.set_company(company());
+  frontier_.set_company(avoidance_.company(view_));
   const Motion motion = frontier_.next(snapshot, last);
   decided_by_ = view_.grid;
   const auto* finished = std::get_if<Finished>(&motion);
@@ -127,20 +127,6 @@ bool TeamExplorer::are_all_idle(double now_s) {
   const bool is_alone = std::ranges::all_of(view_.peers, &Peer::stays);
   idle_since_s_ = idle_since_s_.value_or(now_s);
   return is_alone || now_s - *idle_since_s_ >= params_.idle_s;
-}
-
-/// Those who stay are walls, with the room that is left to them; others will be gone.
-exploration::Company TeamExplorer::company() const {
-  exploration::Company company = company_of(view_);
-  for (std::size_t i = 0; i < view_.peers.size(); ++i) {
-    if (avoidance_.stays(view_.peers[i])) {
-      exploration::OccupiedFloor& floor = company.standing[i];
-      floor.is_closed = true;
-      floor.radius_m =
-          avoidance_.keep_off_m(view_.peers[i]) - params_.avoidance.guard.robot_radius_m;
-    }
-  }
-  return company;
 }
 
 /// For the goal it is on the way to; what it has claimed holds while it looks from there. A robot

@@ -51,7 +51,6 @@ class TeamExplorer final : public exploration::Explorer {
   bool has_lost_goal();
   exploration::Motion explore(const pipeline::Snapshot& snapshot, exploration::MotionResult last);
   bool are_all_idle(double now_s);
-  exploration::Company company() const;
   void bid(double now_s, bool has_finished);
 
   TeamExplorerParams params_;

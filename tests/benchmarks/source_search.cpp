@@ -89,7 +89,7 @@ tests::OfflineSearchRun run_of(const tests::SourceWorld& world,
                                std::uint32_t seed) {
   tests::OfflineSearch search;
   search.params.explores = false;
-  search.params.navigator.follower.speed_m_per_s = search.params.choice.speed_m_per_s;
+  search.params.frontier.navigator.follower.speed_m_per_s = search.params.choice.speed_m_per_s;
   search.starts = std::move(starts);
   search.seed = seed;
   return tests::search_offline(world, task.truth, search);

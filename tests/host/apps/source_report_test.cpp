@@ -22,6 +22,7 @@ const NextCommands kAfterSearch{
 Report report_of(const std::string& verdict) {
   return {{"verdict", verdict},
           {"none_probability", verdict == "none" ? 0.97 : 0.02},
+          {"unseen_probability", 0.01},
           {"min_strength", 1.0},
           {"best_m", {2.0, 1.0}},
           {"found_radius_m", 0.2},

@@ -17,9 +17,9 @@ class InformationGainTest : public testing::Test {
 
   InformationGain gain() const {
     return InformationGain(belief_,
-                           {{0.5, std::nullopt, 0.0, 0.0, 0.4, 0.0},
-                            {0.25, Eigen::Vector2d(1.0, 1.5), 0.05, 5.0, 0.4, 0.0},
-                            {0.25, Eigen::Vector2d(5.0, 1.5), 0.05, 5.0, 0.4, 0.0}});
+                           {{0.5, std::nullopt, 0.0, 0.0, 0.4, {}},
+                            {0.25, Eigen::Vector2d(1.0, 1.5), 0.05, 5.0, 0.4, {}},
+                            {0.25, Eigen::Vector2d(5.0, 1.5), 0.05, 5.0, 0.4, {}}});
   }
   double after(const std::vector<PlannedDwell>& dwells) const {
     const InformationGain gain = this->gain();
@@ -60,16 +60,16 @@ TEST_F(InformationGainTest, WhatAnotherReadsIsNotWorthMuchTwice) {
 
 TEST_F(InformationGainTest, PlacesWithinTheRadiusAreOneClaim) {
   const InformationGain near(belief_,
-                             {{0.5, Eigen::Vector2d(1.0, 1.5), 0.05, 5.0, 0.4, 0.0},
-                              {0.5, Eigen::Vector2d(1.1, 1.5), 0.05, 9.0, 0.4, 0.0}});
+                             {{0.5, Eigen::Vector2d(1.0, 1.5), 0.05, 5.0, 0.4, {}},
+                              {0.5, Eigen::Vector2d(1.1, 1.5), 0.05, 9.0, 0.4, {}}});
   EXPECT_NEAR(near.expected_log_probability(near.no_reading()), 0.0, 1e-6);
 }
 
 TEST_F(InformationGainTest, WhatIsImpossibleDoesNotCount) {
   const InformationGain gain(belief_,
-                             {{0.0, std::nullopt, 0.0, 0.0, 0.4, 0.0},
-                              {0.5, Eigen::Vector2d(1.0, 1.5), 0.05, 5.0, 0.4, 0.0},
-                              {0.5, Eigen::Vector2d(5.0, 1.5), 0.05, 5.0, 0.4, 0.0}});
+                             {{0.0, std::nullopt, 0.0, 0.0, 0.4, {}},
+                              {0.5, Eigen::Vector2d(1.0, 1.5), 0.05, 5.0, 0.4, {}},
+                              {0.5, Eigen::Vector2d(5.0, 1.5), 0.05, 5.0, 0.4, {}}});
   EXPECT_NEAR(gain.expected_log_probability(gain.no_reading()), std::log(0.5), 1e-4);
 }
 

@@ -63,7 +63,7 @@ TEST(LeafBlock, RowsOfLanesAreWhatSingleReadingsGive) {
   NuisanceNodes nodes;
   nodes.strengths = {1.0F, 3.0F};
   nodes.backgrounds = {0.2F, 0.4F, 0.8F};
-  nodes.attenuations_per_m = {0.0F};
+  nodes.shieldings = {{}};
   ResponseLanes lanes;
   for (std::size_t i = 0; i < kLanes; ++i) {
     lanes.response[i] = 0.05F * static_cast<float>(i);

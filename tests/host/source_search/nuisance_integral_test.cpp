@@ -16,7 +16,7 @@ NuisanceNodes nodes_to(double max_strength, std::size_t count) {
     nodes.strengths.push_back(static_cast<float>(std::pow(max_strength, share)));
   }
   nodes.backgrounds = {1.0F};
-  nodes.attenuations_per_m = {0.0F};
+  nodes.shieldings = {{}};
   return nodes;
 }
 

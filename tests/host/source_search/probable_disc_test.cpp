@@ -40,5 +40,15 @@ TEST(ProbableDisc, RadiusHoldsTheShare) {
   EXPECT_NEAR(radius_with_share_m(field, middle_m, 0.95), 0.9, 1e-6);
 }
 
+TEST(ProbableDisc, AnErrorOfAllPlacesSpreadsThem) {
+  CellField field = empty_field();
+  field[field.index({0, 0})] = 1.0F;
+  const Eigen::Vector2d middle_m = field.center_m({0, 0});
+  EXPECT_NEAR(sum_in_disc(with_error(field, 0.0), middle_m, 0.2), 1.0, 1e-6);
+  // Rayleigh: 1 - exp(-r^2 / (2 stddev^2)).
+  EXPECT_NEAR(sum_in_disc(with_error(field, 0.1), middle_m, 0.2), 0.865, 0.06);
+  EXPECT_NEAR(radius_with_share_m(with_error(field, 0.1), middle_m, 0.95), 0.245, 0.04);
+}
+
 }  // namespace
 }  // namespace echomap::source_search

@@ -39,7 +39,7 @@ mapping::OccupancyGrid known_room() {
 SourceSearchParams in_a_known_room() {
   SourceSearchParams params;
   params.explores = false;
-  params.navigator.follower.speed_m_per_s = 0.2;
+  params.frontier.navigator.follower.speed_m_per_s = 0.2;
   return params;
 }
 

@@ -18,7 +18,7 @@ using geometry::Pose2;
 tests::OfflineSearch search_of(std::vector<Pose2> starts) {
   tests::OfflineSearch search;
   search.params.explores = false;
-  search.params.navigator.follower.speed_m_per_s = 0.2;
+  search.params.frontier.navigator.follower.speed_m_per_s = 0.2;
   search.starts = std::move(starts);
   return search;
 }
@@ -86,6 +86,32 @@ TEST(SourceSearch, GoesToUnknownFloorWhileItReadsNothingOfNote) {
   EXPECT_GT(intent.goal->at_m.x(), 1.0);
 }
 
+TEST(SourceSearch, ExploresTheRestBeforeItSaysThatThereIsNone) {
+  SourceSearchParams params;
+  params.beyond_m = 1000.0;
+  params.frontier.viewpoints.min_gain_m2 = 1000.0;
+  SourceSearch search(params);
+  mapping::OccupancyGrid grid;
+  for (int y = -20; y <= 20; ++y) {
+    for (int x = -20; x <= 60; ++x) {
+      grid.add({x, y}, x == -20 || std::abs(y) == 20 ? 300 : -300);
+    }
+  }
+  auto snapshot = tests::snapshot_of(std::move(grid), {tests::pose_at(1.0, {})});
+  snapshot.stops = 1;
+  search.set_readings({{{0.0, 0.0}, 0.0, 60.0, 0.0}});
+  Motion motion;
+  do {
+    motion = search.next(snapshot, MotionResult::kReached);
+  } while (!std::holds_alternative<exploration::EndScan>(motion));
+  motion = search.next(snapshot, MotionResult::kReached);
+  const SourceEstimate& estimate = search.belief()->estimate();
+  EXPECT_EQ(estimate.verdict, SourceVerdict::kUndecided);
+  EXPECT_GT(estimate.none_probability + estimate.unseen_probability, 0.95);
+  EXPECT_FALSE(std::holds_alternative<exploration::Finished>(motion));
+  EXPECT_FALSE(search.has_ended());
+}
+
 TEST(SourceSearch, TellsWhatItIsAboutToRead) {
   const auto world = small_hall();
   SourceSearchParams params;
@@ -109,7 +135,7 @@ TEST(SourceSearch, RefusesWhatIsOutOfRange) {
   params.rethink_s = 0.0;
   EXPECT_THROW(SourceSearch{params}, std::invalid_argument);
   params = {};
-  params.sweep.step_rad = 0.0;
+  params.frontier.sweep.step_rad = 0.0;
   EXPECT_THROW(SourceSearch{params}, std::invalid_argument);
 }
 
