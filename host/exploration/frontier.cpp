@@ -58,6 +58,7 @@ void validate(const FrontierParams& params) {
       .positive("doors.min_width_m", params.doors.min_width_m)
       .positive("doors.told_apart_m", params.doors.told_apart_m)
       .positive("doors.max_distance_m", params.doors.max_distance_m)
+      .at_least("doors.apart_m", params.doors.apart_m, 0.0)
       .positive("max_stops", params.max_stops)
       .at_least("contest_m", params.contest_m, 0.0)
       .at_least("outbid", params.outbid, 1.0);
@@ -104,6 +105,9 @@ std::optional<Motion> Frontier::recover(const pipeline::Snapshot& snapshot, Moti
   auto motion = navigator_.recover(snapshot, last, phase_ == Phase::kDriving);
   if (motion && phase_ == Phase::kDriving && goal_ && goal_kind_ == IntentKind::kOpening) {
     ++opening_at(goal_->at_m).bumps;
+  }
+  if (motion && phase_ == Phase::kDriving) {
+    end_try_of_door();
   }
   phase_ = motion ? Phase::kBackingOff : phase_;
   return motion;
@@ -169,6 +173,7 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
 std::optional<Viewpoint> Frontier::choose_goal(const RasterMap& map,
                                                const pipeline::Snapshot& known,
                                                const pipeline::Snapshot& own) {
+  door_m_.reset();
   if (const auto look = choose_look(map, known, params_.viewpoints.min_gain_m2)) {
     const auto stop = loops_.choose(own, look->at_m, navigator_.travel(), map);
     goal_kind_ = stop ? IntentKind::kKnownWalls : IntentKind::kFrontier;
@@ -190,11 +195,12 @@ std::optional<Viewpoint> Frontier::choose_door(const RasterMap& map,
   const auto doors =
       possible_doors(map, snapshot.features->unheard, views_of(*snapshot.scans), params_.doors);
   const auto stand =
-      nearest_door_stand(map, doors, navigator_.travel(), door_stands_m_, params_.doors);
+      nearest_door_stand(map, doors, navigator_.travel(), tried_doors_m_, params_.doors);
   if (!stand) {
     return std::nullopt;
   }
-  door_stands_m_.push_back(stand->at_m);
+  navigator_.forget_failures();
+  door_m_ = stand->middle_m;
   return Viewpoint{stand->at_m, kAllRound, stand->cost_m, 0.0};
 }
 
@@ -271,6 +277,12 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
   return nearest;
 }
 
+void Frontier::end_try_of_door() {
+  if (door_m_) {
+    tried_doors_m_.push_back(*std::exchange(door_m_, std::nullopt));
+  }
+}
+
 bool Frontier::is_left_to_others(const Eigen::Vector2d& opening_m) const {
   const auto& promised = company_.promised;
   return std::any_of(promised.begin(), promised.end(), [&](const PromisedLook& look) {
@@ -308,6 +320,7 @@ Motion Frontier::drive_on(const pipeline::Snapshot& snapshot) {
   if (goal_kind_ == IntentKind::kOpening) {
     opening_at(goal_->at_m).is_reached = true;
   }
+  end_try_of_door();
   return begin_sweep(snapshot, goal_->view);
   // NOLINTEND(bugprone-unchecked-optional-access)
 }

@@ -53,7 +53,8 @@ struct FrontierParams {
 
 /// Strategy `frontier`, ours: goes to where a sweep shows most unknown floor for the time that it
 /// takes, and where no reachable place promises more, steps into what openings are left. The room
-/// is complete without any (after Yamauchi 1997 and Gonzalez-Banos and Latombe 2002).
+/// is complete without any, and without a wall
+/// that may be a door (after Yamauchi 1997 and Gonzalez-Banos and Latombe 2002).
 class Frontier final : public Explorer {
  public:
   /// Throws std::invalid_argument for invalid parameters.
@@ -92,6 +93,7 @@ class Frontier final : public Explorer {
                                const pipeline::Snapshot& snapshot,
                                const ViewGain& gain,
                                double min_gain_m2) const;
+  void end_try_of_door();
   bool is_left_to_others(const Eigen::Vector2d& opening_m) const;
   bool has_enough(const pipeline::Snapshot& snapshot) const;
   std::optional<Viewpoint> choose_door(const mapping::RasterMap& map,
@@ -114,7 +116,8 @@ class Frontier final : public Explorer {
   IntentKind goal_kind_ = IntentKind::kSweep;
   std::vector<WeighedPlace> weighed_;  ///< With the goal.
   std::vector<TriedOpening> openings_;
-  std::vector<Eigen::Vector2d> door_stands_m_;  ///< That were tried.
+  std::optional<Eigen::Vector2d> door_m_;  ///< That it drives to, to look at it.
+  std::vector<Eigen::Vector2d> tried_doors_m_;
 };
 
 }  // namespace echomap::exploration

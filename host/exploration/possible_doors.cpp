@@ -16,14 +16,16 @@ using mapping::RasterMap;
 namespace {
 
 /// A stop that faces the wall, near enough to tell.
-bool tells(const RasterMap& map,
-           const PastView& view,
-           const Segment& wall,
-           const PossibleDoorParams& params) {
+bool can_tell(const RasterMap& map,
+              const PastView& view,
+              const Segment& wall,
+              const PossibleDoorParams& params) {
   if (mapping::end_excess_m(view.from_m, wall) < params.told_apart_m) {
     return false;
   }
-  const auto bearing_rad = facing_rad(map, view.from_m, wall, {});
+  UnobservedWallParams facing;
+  facing.max_distance_m = params.max_distance_m;
+  const auto bearing_rad = facing_rad(map, view.from_m, wall, facing);
   return bearing_rad &&
          std::abs(geometry::angle_between(view.middle_rad, *bearing_rad)) <= view.half_width_rad;
 }
@@ -36,23 +38,28 @@ double telling_distance_m(const Segment& wall, const PossibleDoorParams& params)
                   0.5 * (half_m * half_m / params.told_apart_m - params.told_apart_m));
 }
 
+std::size_t tries_of(const Segment& door,
+                     const std::vector<Eigen::Vector2d>& tried_m,
+                     const PossibleDoorParams& params) {
+  const Eigen::Vector2d middle_m = 0.5 * (door.from_m + door.to_m);
+  return static_cast<std::size_t>(
+      std::ranges::count_if(tried_m, [&](const Eigen::Vector2d& other_m) {
+        return (other_m - middle_m).norm() < params.apart_m;
+      }));
+}
+
 std::optional<DoorStand> stand_before(const RasterMap& map,
                                       const Segment& door,
                                       const TravelField& travel,
-                                      const std::vector<Eigen::Vector2d>& tried_m,
+                                      std::size_t tries,
                                       const PossibleDoorParams& params) {
   const Eigen::Vector2d middle_m = 0.5 * (door.from_m + door.to_m);
-  for (const double share : params.stand_shares) {
-    const Eigen::Vector2d at_m =
-        middle_m + share * telling_distance_m(door, params) * geometry::left_normal(door);
-    const bool is_tried = std::ranges::any_of(tried_m, [&](const Eigen::Vector2d& other_m) {
-      return (other_m - at_m).norm() < params.stands_apart_m;
-    });
-    if (is_tried || !tells(map, {at_m, 0.0, geometry::kFullTurnRad}, door, params)) {
-      continue;
-    }
-    if (const auto cost_m = travel.cost_m(map.cell_at(at_m))) {
-      return DoorStand{at_m, *cost_m};
+  for (std::size_t i = tries; i < params.stand_shares.size(); ++i) {
+    const double distance_m = params.stand_shares[i] * telling_distance_m(door, params);
+    const Eigen::Vector2d at_m = middle_m + distance_m * geometry::left_normal(door);
+    const auto cost_m = travel.cost_m(map.cell_at(at_m));
+    if (cost_m && can_tell(map, {at_m, 0.0, geometry::kFullTurnRad}, door, params)) {
+      return DoorStand{middle_m, at_m, *cost_m};
     }
   }
   return std::nullopt;
@@ -68,7 +75,7 @@ std::vector<Segment> possible_doors(const RasterMap& map,
   for (const Segment& wall : unheard) {
     if (wall.length_m() >= params.min_width_m &&
         std::none_of(views.begin(), views.end(), [&](const PastView& view) {
-          return tells(map, view, wall, params);
+          return can_tell(map, view, wall, params);
         })) {
       doors.push_back(wall);
     }
@@ -83,7 +90,7 @@ std::optional<DoorStand> nearest_door_stand(const RasterMap& map,
                                             const PossibleDoorParams& params) {
   std::optional<DoorStand> nearest;
   for (const Segment& door : doors) {
-    const auto stand = stand_before(map, door, travel, tried_m, params);
+    const auto stand = stand_before(map, door, travel, tries_of(door, tried_m, params), params);
     if (stand && (!nearest || stand->cost_m < nearest->cost_m)) {
       nearest = stand;
     }

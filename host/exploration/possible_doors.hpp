@@ -20,12 +20,12 @@ struct PossibleDoorParams {
   /// A stop tells a wall from the frame of a door where the nearer end is at least so much farther
   /// off than the foot of the perpendicular (mapping::end_excess_m).
   double told_apart_m = 0.04;
-  /// It is looked at from before its middle: from these shares, in their order, of the distance
-  /// from which a stop there tells, which is at most so far.
+  /// It is looked at from before its middle, time after time from the next of these shares of the
+  /// distance from which a stop can tell, which is at most so far.
   std::vector<double> stand_shares{0.9, 0.7, 0.5};
   double max_distance_m = 1.2;
-  /// One so near to another is the same.
-  double stands_apart_m = 0.1;
+  /// Middles that are nearer to each other are of the same door: the map moves.
+  double apart_m = 0.3;
 };
 
 /// Of the stretches of wall that no stop has heard at right angles, the floor to the left of each,
@@ -35,14 +35,15 @@ std::vector<geometry::Segment> possible_doors(const mapping::RasterMap& map,
                                               const std::vector<PastView>& views,
                                               const PossibleDoorParams& params);
 
-/// A place from which a look tells what it is, and what the way there costs.
+/// A place from which a look can tell what it is, and what the way there costs.
 struct DoorStand {
+  Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();  ///< Of the door.
   Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
   double cost_m = 0.0;
 };
 
-/// The nearest door's, of the first for each that the robot can reach and has not tried before;
-/// empty where there is none.
+/// The nearest by its way; empty where each that can be reached was tried as often as there are
+/// shares. `tried_m` has the middle of a door for each time.
 std::optional<DoorStand> nearest_door_stand(const mapping::RasterMap& map,
                                             const std::vector<geometry::Segment>& doors,
                                             const TravelField& travel,

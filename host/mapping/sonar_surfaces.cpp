@@ -235,17 +235,17 @@ double reach_m(const Region& region,
                bool left) {
   const double edge_rad = params.beam_edge * params.beam_half_angle_rad;
   double longer_m = 0.0;
-  double farthest_rad = 0.0;
+  double max_beyond_rad = 0.0;
   for (const std::size_t member : region.members) {
     const double off_rad = geometry::angle_between(region.middle_rad(), looks[member].bearing_rad);
     const double beyond_rad = (left ? off_rad : -off_rad) - edge_rad;
     if (beyond_rad > 0.0) {
       longer_m += looks[member].range_m.value_or(0.0) - params.max_longer_m -
                   range_off_foot_m(region.range_m, std::abs(off_rad), params);
-      farthest_rad = std::max(farthest_rad, beyond_rad);
+      max_beyond_rad = std::max(max_beyond_rad, beyond_rad);
     }
   }
-  return longer_m <= 0.0 ? region.range_m * std::tan(farthest_rad) : 0.0;
+  return longer_m <= 0.0 ? region.range_m * std::tan(max_beyond_rad) : 0.0;
 }
 
 SonarSurface surface_of(const Region& region,

@@ -47,6 +47,7 @@ void validate_belief(const SourceBeliefParams& params) {
       .above("claim_probability", params.claim_probability, 0.5)
       .below("claim_probability", params.claim_probability, 1.0)
       .positive_finite("confirm_m", params.confirm_m)
+      .within("min_true_probability", params.min_true_probability, 0.0, 1.0)
       .nonnegative_finite("confirm_pulses", params.confirm_pulses)
       .positive_finite("split_probability", params.split_probability);
 }
@@ -260,7 +261,8 @@ void SourceBelief::set_estimate() {
   estimate_.radius_95_m = radius_with_share_m(blurred, disc.middle_m, kRegionProbability);
   estimate_.strength = strength_at(disc.middle_m);
   estimate_.verdict = SourceVerdict::kUndecided;
-  const bool is_probable = disc.probability >= params_.claim_probability;
+  const bool is_probable = disc.probability >= params_.claim_probability &&
+                           estimate_.within_probability >= params_.min_true_probability;
   estimate_.is_to_confirm = is_probable && is_in_the_making_ && !is_confirmed();
   if (is_probable && !estimate_.is_to_confirm) {
     estimate_.verdict = SourceVerdict::kFound;

@@ -21,6 +21,9 @@ struct SourceBeliefParams {
   /// A source is found within this distance, with this probability; with the same there is none.
   double found_radius_m = 0.2;
   double claim_probability = 0.95;
+  /// That is against the map around it. Nothing is found where the map itself is so uncertain that
+  /// the source is less probably than this within the radius of where it truly is.
+  double min_true_probability = 0.5;
   /// In a map in the making a place is claimed only once so many pulses of its source are expected
   /// to have been read within `confirm_m`, in sight of it: there, without the source, that many
   /// would be missed in all but 5 % of cases.

@@ -59,7 +59,6 @@ void SourceSearch::set_company(const exploration::Company& company) {
   navigator_.set_standing(company.standing);
   exploration::Company others;
   others.standing = company.standing;
-  others.promised = company.promised;
   rest_.set_company(std::move(others));
 }
 
@@ -272,7 +271,8 @@ Motion SourceSearch::decide(const pipeline::Snapshot& snapshot) {
   thought_at_ = snapshot.latest.stamp;
   const auto look = params_.explores ? choose_look(snapshot) : std::nullopt;
   const SourceVerdict verdict = belief_->estimate().verdict;
-  if (verdict == SourceVerdict::kFound || (verdict == SourceVerdict::kNone && !look)) {
+  if (verdict == SourceVerdict::kFound ||
+      (verdict == SourceVerdict::kNone && !look && (is_explored_ || !params_.explores))) {
     plan_readings_.clear();
     has_ended_ = true;
     return Finished{FinishReason::kComplete};

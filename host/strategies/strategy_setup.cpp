@@ -253,6 +253,7 @@ exploration::FrontierParams frontier_params(const RobotProfile& profile,
   params.navigator = navigator_params(profile);
   double& faced_m = params.gain.unobserved.max_distance_m;
   faced_m = std::min(faced_m, session::sure_range_m(profile));
+  params.doors.max_distance_m = std::min(params.doors.max_distance_m, faced_m);
   params.viewpoints.speed_m_per_s = profile.speed_m_per_s;
   params.sweep.pan_limit_rad = profile.pan_limit_rad;
   params.sweep.settle_s = profile.settle_s;

@@ -57,9 +57,11 @@ TEST(NearestDoorStand, IsBeforeTheNearestDoorAndNotTwiceTheSame) {
   ASSERT_TRUE(stand);
   EXPECT_NEAR(stand->at_m.y(), 0.3, 1e-9);
   EXPECT_NEAR(stand->at_m.x(), 1.0, 0.05) << "ends 0.3 m beside are 4 cm farther off at 1.1 m";
-  const auto next = nearest_door_stand(map, {kWall}, travel, {stand->at_m}, {});
+  const Eigen::Vector2d moved_m = stand->middle_m + Eigen::Vector2d(0.1, 0.1);
+  const auto next = nearest_door_stand(map, {kWall}, travel, {moved_m}, {});
   ASSERT_TRUE(next);
-  EXPECT_GT((next->at_m - stand->at_m).norm(), 0.1);
+  EXPECT_GT(next->at_m.x(), stand->at_m.x()) << "nearer";
+  EXPECT_FALSE(nearest_door_stand(map, {kWall}, travel, {moved_m, moved_m, moved_m}, {}));
 }
 
 TEST(NearestDoorStand, IsNoneWhereTheRobotCannotGo) {

@@ -14,7 +14,7 @@ using geometry::radians;
 std::vector<ScanSurfaces> two_stops() { return {{{0.0, 0.0}, {}, {}}, {{1.0, 0.0}, {}, {}}}; }
 
 /// The wall y = 2 as they see it, from x = -1 to 2.
-const MatchedWall kMatchedWall{radians(90.0), 2.0, {{-2.0, 1.0}}};
+const MatchedWall kMatchedWall{radians(90.0), 2.0, {{-2.0, 1.0}}, {{-2.0, 1.0}}};
 const MatchedFeature kWallFeature{{LandmarkKind::kWall, {2.0, radians(90.0)}}, {{0, 0}, {1, 0}}};
 
 MatchedFeature round_at(double x_m, double y_m, double radius_m) {

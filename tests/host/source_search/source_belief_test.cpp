@@ -66,6 +66,23 @@ TEST(SourceBelief, FindsASourceAndItsStrength) {
   EXPECT_LT(estimate.radius_95_m, 0.25);
 }
 
+TEST(SourceBelief, FindsNothingOnAMapThatIsLost) {
+  const SourceWorld world = small_room();
+  SourceTruth truth;
+  truth.at_m = {2.63, 1.27};
+  truth.strength = 5.0;
+  SourceFloor floor(world.map());
+  for (const double stddev_m : {0.05, 0.5}) {
+    floor.position_stddev_m = stddev_m;
+    SourceBelief belief({}, floor);
+    belief.add(readings_of(world, truth, 0.5, 5.0));
+    const bool is_placed = belief.estimate().within_probability >= 0.5;
+    EXPECT_EQ(is_placed, stddev_m < 0.1);
+    EXPECT_EQ(belief.estimate().verdict,
+              is_placed ? SourceVerdict::kFound : SourceVerdict::kUndecided);
+  }
+}
+
 TEST(SourceBelief, SaysThatThereIsNone) {
   const SourceWorld world = small_room();
   for (const double background : {0.1, 0.4, 3.0}) {
