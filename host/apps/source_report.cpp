@@ -77,13 +77,11 @@ std::string text_of_unsure(const Report& report) {
   if (!report.contains("best_m")) {
     return "nothing was read on any map";
   }
-  const double unseen = report.at("unseen_probability").get<double>();
   return fmt::format(
       "no source with {:.0f} %, one on floor that was not seen with {:.0f} %; else most probably "
-      "at "
-      "{} of the map",
+      "at {} of the map",
       100.0 * report.at("none_probability").get<double>(),
-      100.0 * unseen,
+      100.0 * report.at("unseen_probability").get<double>(),
       place_of(report));
 }
 

@@ -103,11 +103,11 @@ std::optional<Motion> Frontier::recover(const pipeline::Snapshot& snapshot, Moti
     return std::nullopt;
   }
   auto motion = navigator_.recover(snapshot, last, phase_ == Phase::kDriving);
-  if (motion && phase_ == Phase::kDriving && goal_ && goal_kind_ == IntentKind::kOpening) {
-    ++opening_at(goal_->at_m).bumps;
-  }
   if (motion && phase_ == Phase::kDriving) {
     end_try_of_door();
+    if (goal_ && goal_kind_ == IntentKind::kOpening) {
+      ++opening_at(goal_->at_m).bumps;
+    }
   }
   phase_ = motion ? Phase::kBackingOff : phase_;
   return motion;

@@ -52,9 +52,9 @@ struct FrontierParams {
 };
 
 /// Strategy `frontier`, ours: goes to where a sweep shows most unknown floor for the time that it
-/// takes, and where no reachable place promises more, steps into what openings are left. The room
-/// is complete without any, and without a wall
-/// that may be a door (after Yamauchi 1997 and Gonzalez-Banos and Latombe 2002).
+/// takes, and where no reachable place promises more, steps into what openings are left and looks
+/// at walls that may be doors. The room is complete without any of these (after Yamauchi 1997 and
+/// Gonzalez-Banos and Latombe 2002).
 class Frontier final : public Explorer {
  public:
   /// Throws std::invalid_argument for invalid parameters.

@@ -41,7 +41,7 @@ double telling_distance_m(const Segment& wall, const PossibleDoorParams& params)
 std::size_t tries_of(const Segment& door,
                      const std::vector<Eigen::Vector2d>& tried_m,
                      const PossibleDoorParams& params) {
-  const Eigen::Vector2d middle_m = 0.5 * (door.from_m + door.to_m);
+  const Eigen::Vector2d middle_m = before_m({door}, 0.0);
   return static_cast<std::size_t>(
       std::ranges::count_if(tried_m, [&](const Eigen::Vector2d& other_m) {
         return (other_m - middle_m).norm() < params.apart_m;
@@ -53,13 +53,12 @@ std::optional<DoorStand> stand_before(const RasterMap& map,
                                       const TravelField& travel,
                                       std::size_t tries,
                                       const PossibleDoorParams& params) {
-  const Eigen::Vector2d middle_m = 0.5 * (door.from_m + door.to_m);
   for (std::size_t i = tries; i < params.stand_shares.size(); ++i) {
     const double distance_m = params.stand_shares[i] * telling_distance_m(door, params);
-    const Eigen::Vector2d at_m = middle_m + distance_m * geometry::left_normal(door);
+    const Eigen::Vector2d at_m = before_m({door}, distance_m);
     const auto cost_m = travel.cost_m(map.cell_at(at_m));
     if (cost_m && can_tell(map, {at_m, 0.0, geometry::kFullTurnRad}, door, params)) {
-      return DoorStand{middle_m, at_m, *cost_m};
+      return DoorStand{before_m({door}, 0.0), at_m, *cost_m};
     }
   }
   return std::nullopt;

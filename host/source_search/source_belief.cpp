@@ -250,7 +250,7 @@ bool SourceBelief::is_confirmed() const {
 }
 
 /// A claim is of the place against the map around it. How probably that is within the radius of
-/// where the source truly is, is told with the error of the map.
+/// where the source truly is, is told with the error of the map, and may be too little to claim.
 void SourceBelief::set_estimate() {
   const CellField probability = place_probability();
   const ProbableDisc disc = most_probable_disc(probability, params_.found_radius_m);

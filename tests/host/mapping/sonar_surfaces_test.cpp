@@ -72,6 +72,7 @@ TEST(FindSurfaces, IsSureOfNoSideThatEndsInAnotherThing) {
   const auto found = find_surfaces(scan, kSurfaceParams);
   const SonarSurface& wall = found.surfaces.at(0);
   EXPECT_EQ(wall.left_m, 0.0);
+  EXPECT_GT(wall.right_m, 0.0);
 }
 
 TEST(FindSurfaces, DropsAGhostThatIsHeardNowAndThen) {
