@@ -231,6 +231,28 @@ TEST(Frontier, TriesAnOpeningAgainThatItWasStoppedOnTheWayTo) {
   EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kComplete);
 }
 
+TEST(Frontier, LooksAtAWallThatMayBeADoorThreeTimesAtMost) {
+  Frontier explorer(no_look_is_worth_it());
+  auto snapshot = told(open_room(true), {});
+  mapping::SonarFeatures features;
+  features.unheard = {{{3.0, -0.4}, {3.0, 0.4}}};
+  snapshot.features = std::make_shared<const mapping::SonarFeatures>(features);
+  Motion motion = first_move(explorer, snapshot);
+  explorer.reconsider();
+  double before_m = 0.0;
+  for (int tries = 0; tries < 3; ++tries) {
+    motion = explorer.next(snapshot, MotionResult::kReached);
+    ASSERT_TRUE(explorer.goal()) << "a goal that was given up is no try";
+    EXPECT_GT(explorer.goal()->at_m.x(), before_m) << "nearer each time";
+    before_m = explorer.goal()->at_m.x();
+    snapshot.latest.T_map_robot = end_of_path(explorer, motion, snapshot);
+    stop_of(explorer, snapshot);
+  }
+  motion = explorer.next(snapshot, MotionResult::kReached);
+  ASSERT_TRUE(std::holds_alternative<Finished>(motion));
+  EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kComplete);
+}
+
 TEST(Frontier, GoesOnWhereAnOpeningHasBecomeFloor) {
   Frontier explorer(no_look_is_worth_it());
   auto snapshot = silent_corridor();
