@@ -107,6 +107,14 @@ std::string text_of(const exploration::NarrowGap& gap) {
                      gap.at_m.y());
 }
 
+std::string text_of_doors(const std::vector<geometry::Segment>& doors) {
+  const Eigen::Vector2d at_m = exploration::before_m({doors.front()}, 0.0);
+  return fmt::format("what is drawn as wall at ({:.1f}, {:.1f}) may be a door{}",
+                     at_m.x(),
+                     at_m.y(),
+                     doors.size() > 1 ? fmt::format(", and {} more", doors.size() - 1) : "");
+}
+
 /// Rounded down: what is not all is not called all.
 int percent(double share) { return static_cast<int>(100.0 * share); }
 
@@ -129,6 +137,9 @@ std::string text_of(const Coverage& coverage,
   }
   if (!coverage.gaps.empty()) {
     text += "; " + text_of(coverage.gaps.front());
+  }
+  if (!coverage.doors.empty()) {
+    text += "; " + text_of_doors(coverage.doors);
   }
   return text;
 }
@@ -267,6 +278,10 @@ exports::CoverageSummary summary_of(const Coverage& coverage) {
   }
   for (const exploration::NarrowGap& gap : coverage.gaps) {
     summary.gaps.push_back({gap.at_m.x(), gap.at_m.y(), gap.width_m, gap.behind_m2});
+  }
+  for (const geometry::Segment& door : coverage.doors) {
+    const Eigen::Vector2d at_m = exploration::before_m({door}, 0.0);
+    summary.possible_doors.push_back({at_m.x(), at_m.y(), door.length_m()});
   }
   return summary;
 }

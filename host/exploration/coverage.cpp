@@ -86,19 +86,40 @@ double unseen_m2(const RasterMap& map, CellValues<char>& is_beside, const ViewGa
   return area_m2 * map.resolution_m() * map.resolution_m();
 }
 
-/// What is expected behind walls that nobody has heard and right before which the robot can stand:
-/// it fits into no door in the tip of a room.
+/// Whether the robot can stand right before a wall: it fits into no door in the tip of a room.
+bool can_stand_before(const UnobservedWall& wall,
+                      const RasterMap& map,
+                      const CellValues<char>& is_reached,
+                      const CostGridParams& costs) {
+  const double stand_m = costs.robot_radius_m + costs.clearance_m + map.resolution_m();
+  const CellIndex before = map.cell_at(before_m(wall, stand_m));
+  return map.contains(before) && is_reached[before] != 0;
+}
+
+/// What is expected behind walls that nobody has heard.
 double behind_unobserved_m2(const RasterMap& map,
                             const CellValues<char>& is_reached,
                             const CostGridParams& costs,
                             const ViewGain& gain) {
-  const double stand_m = costs.robot_radius_m + costs.clearance_m + map.resolution_m();
   double area_m2 = 0.0;
   for (const UnobservedWall& unobserved : gain.unobserved()) {
-    const CellIndex before = map.cell_at(before_m(unobserved, stand_m));
-    area_m2 += map.contains(before) && is_reached[before] != 0 ? unobserved.floor_m2 : 0.0;
+    area_m2 += can_stand_before(unobserved, map, is_reached, costs) ? unobserved.floor_m2 : 0.0;
   }
   return area_m2;
+}
+
+/// What may be a door, as far as any stop could tell.
+std::vector<geometry::Segment> doors_left(const RasterMap& map,
+                                          const CellValues<char>& is_reached,
+                                          const pipeline::Snapshot& snapshot,
+                                          const CoverageParams& params) {
+  auto doors =
+      possible_doors(map, snapshot.features->unheard, views_of(*snapshot.scans), params.doors);
+  std::erase_if(doors, [&](const geometry::Segment& door) {
+    return !can_stand_before({door}, map, is_reached, params.costs);
+  });
+  std::ranges::stable_sort(doors, std::ranges::greater{}, &geometry::Segment::length_m);
+  return doors;
 }
 
 /// The pieces of it that count for something.
@@ -237,6 +258,7 @@ Coverage coverage_of(const pipeline::Snapshot& snapshot, const CoverageParams& p
   std::stable_sort(coverage.places.begin(), coverage.places.end(), [](auto& one, auto& other) {
     return one.area_m2 > other.area_m2;
   });
+  coverage.doors = doors_left(map, is_reached, snapshot, params);
   coverage.gaps = narrow_gaps(map, is_reached, is_seen, params);
   std::stable_sort(coverage.gaps.begin(), coverage.gaps.end(), [](auto& one, auto& other) {
     return one.behind_m2 > other.behind_m2;

@@ -6,7 +6,9 @@
 #include <Eigen/Core>
 
 #include "host/exploration/cost_grid.hpp"
+#include "host/exploration/possible_doors.hpp"
 #include "host/exploration/view_gain.hpp"
+#include "host/geometry/segment.hpp"
 #include "host/pipeline/snapshot.hpp"
 
 namespace echomap::exploration {
@@ -15,6 +17,7 @@ namespace echomap::exploration {
 struct CoverageParams {
   CostGridParams costs;
   ViewGainParams gain;
+  PossibleDoorParams doors;
   /// Free floor farther than so many radii of the robot from where it can stand is out of its
   /// reach: a corner is not.
   double corner_radii = 2.0;
@@ -43,6 +46,9 @@ struct Coverage {
   double unseen_m2 = 0.0;           ///< An estimate: silence beside floor may be a wall, too.
   std::vector<UnseenPlace> places;  ///< The largest first.
   std::vector<NarrowGap> gaps;      ///< The one with most floor behind it first.
+  /// Stretches of wall that no stop could tell from a door, though the robot can stand before them;
+  /// the widest first, the floor to their left. They count nothing as floor.
+  std::vector<geometry::Segment> doors{};
 
   /// Of 1; 0 where nothing was seen.
   double share() const;

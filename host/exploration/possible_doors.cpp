@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "host/exploration/unobserved_walls.hpp"
-#include "host/geometry/angle.hpp"
-#include "host/mapping/wall_completion.hpp"
 
 namespace echomap::exploration {
 
@@ -26,8 +24,7 @@ bool can_tell(const RasterMap& map,
   UnobservedWallParams facing;
   facing.max_distance_m = params.max_distance_m;
   const auto bearing_rad = facing_rad(map, view.from_m, wall, facing);
-  return bearing_rad &&
-         std::abs(geometry::angle_between(view.middle_rad, *bearing_rad)) <= view.half_width_rad;
+  return bearing_rad && view.covers(*bearing_rad);
 }
 
 /// The distance at which the ends of a wall, seen from before its middle, are `told_apart_m`

@@ -10,6 +10,7 @@
 #include "host/exploration/view_gain.hpp"
 #include "host/geometry/segment.hpp"
 #include "host/mapping/raster_map.hpp"
+#include "host/mapping/wall_completion.hpp"
 
 namespace echomap::exploration {
 
@@ -19,7 +20,7 @@ struct PossibleDoorParams {
   double min_width_m = 0.5;
   /// A stop tells a wall from the frame of a door where the nearer end is at least so much farther
   /// off than the foot of the perpendicular (mapping::end_excess_m).
-  double told_apart_m = 0.04;
+  double told_apart_m = mapping::WallCompletionParams{}.told_apart_m;
   /// It is looked at from before its middle, time after time from the next of these shares of the
   /// distance from which a stop can tell, which is at most so far.
   std::vector<double> stand_shares{0.9, 0.7, 0.5};

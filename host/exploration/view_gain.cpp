@@ -62,6 +62,10 @@ PastView view_of(const mapping::Scan& scan) {
 
 }  // namespace
 
+bool PastView::covers(double bearing_rad) const {
+  return std::abs(geometry::angle_between(middle_rad, bearing_rad)) <= half_width_rad;
+}
+
 std::vector<PastView> views_of(const std::vector<mapping::Scan>& scans) {
   std::vector<PastView> views;
   for (const mapping::Scan& scan : scans) {
@@ -193,8 +197,7 @@ void ViewGain::look(const PastView& view) {
   looked_from_m_.push_back(view.from_m);
   for (UnobservedWall& unobserved : unobserved_) {
     const auto bearing_rad = facing_rad(map_, view.from_m, unobserved.wall, params_.unobserved);
-    if (bearing_rad &&
-        std::abs(geometry::angle_between(view.middle_rad, *bearing_rad)) <= view.half_width_rad) {
+    if (bearing_rad && view.covers(*bearing_rad)) {
       unobserved.floor_m2 *= params_.left_by_look;
     }
   }

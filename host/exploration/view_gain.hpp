@@ -49,6 +49,8 @@ struct PastView {
   Eigen::Vector2d from_m = Eigen::Vector2d::Zero();
   double middle_rad = 0.0;      ///< In the map frame.
   double half_width_rad = 0.0;  ///< Half of what the sweep covered, at most pi.
+
+  bool covers(double bearing_rad) const;
 };
 
 /// What has been looked at: a view for each scan of a stop that has a reading, from where the map

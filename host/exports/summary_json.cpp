@@ -45,13 +45,17 @@ nlohmann::ordered_json to_json(const CoverageSummary& coverage) {
                               {"seen_m2", coverage.seen_m2},
                               {"unseen_m2", coverage.unseen_m2},
                               {"places", nlohmann::ordered_json::array()},
-                              {"gaps", nlohmann::ordered_json::array()}};
+                              {"gaps", nlohmann::ordered_json::array()},
+                              {"possible_doors", nlohmann::ordered_json::array()}};
   for (const auto& [x_m, y_m, area_m2] : coverage.places) {
     json["places"].push_back({{"x_m", x_m}, {"y_m", y_m}, {"area_m2", area_m2}});
   }
   for (const auto& [x_m, y_m, width_m, behind_m2] : coverage.gaps) {
     json["gaps"].push_back(
         {{"x_m", x_m}, {"y_m", y_m}, {"width_m", width_m}, {"behind_m2", behind_m2}});
+  }
+  for (const auto& [x_m, y_m, width_m] : coverage.possible_doors) {
+    json["possible_doors"].push_back({{"x_m", x_m}, {"y_m", y_m}, {"width_m", width_m}});
   }
   return json;
 }

@@ -50,6 +50,8 @@ struct CoverageSummary {
   std::vector<std::array<double, 3>> places{};
   /// Gaps too narrow for the robot: x_m, y_m (map frame), width_m, behind_m2.
   std::vector<std::array<double, 4>> gaps{};
+  /// Walls that may be doors, the widest first: the middle's x_m, y_m (map frame), width_m.
+  std::vector<std::array<double, 3>> possible_doors{};
 };
 
 /// What its first stops have shown to be wrong with a robot; the fields are the keys of

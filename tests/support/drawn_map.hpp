@@ -29,6 +29,11 @@ inline mapping::RasterMap map_from(const DrawnMap& drawing,
   return map;
 }
 
+/// Free floor of 5 m x 5 m, in cells of 5 cm, from (-1, -1) on.
+inline mapping::RasterMap free_floor() {
+  return map_from(DrawnMap(100, std::string(100, '.')), 0.05, {-1.0, -1.0});
+}
+
 inline DrawnMap drawing_of(const mapping::RasterMap& map) {
   DrawnMap drawing;
   for (int row = map.rows() - 1; row >= 0; --row) {

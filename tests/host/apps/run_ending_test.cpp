@@ -69,6 +69,20 @@ TEST(RunEnding, NamesTheGapThatWasTooNarrow) {
             "(3.1, 1.2) was too narrow for it");
 }
 
+TEST(RunEnding, NamesTheWallsThatMayBeDoors) {
+  Coverage seen = coverage(10.0, 0.0);
+  seen.doors.push_back({{2.0, 1.0}, {1.0, 1.0}});
+  EXPECT_EQ(ending_of(FinishReason::kComplete, seen, {}, kNext).why,
+            "the map has 100 % of the floor that the robot can reach, 10.0 m²; what is drawn as "
+            "wall at (1.5, 1.0) may be a door");
+  seen.doors.push_back({{4.0, 0.0}, {4.0, 0.5}});
+  EXPECT_THAT(ending_of(FinishReason::kComplete, seen, {}, kNext).why,
+              testing::EndsWith("may be a door, and 1 more"));
+  const auto told = summary_of(seen);
+  ASSERT_EQ(told.possible_doors.size(), 2U);
+  EXPECT_EQ(told.possible_doors.front(), (std::array{1.5, 1.0, 1.0}));
+}
+
 TEST(RunEnding, OfAStrategyThatCallsHalfARoomCompleteIsUnfinished) {
   const RunEnding ending = ending_of(FinishReason::kComplete, coverage(6.0, 6.0), {}, kNext);
   EXPECT_EQ(ending.code, ExitCode::kUnfinished);

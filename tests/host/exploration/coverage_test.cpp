@@ -103,6 +103,31 @@ TEST(CoverageOf, BehindAWallThatNobodyHasHeardFloorMayBe) {
       << "the other one is nowhere near";
 }
 
+TEST(CoverageOf, WallsThatNoStopCouldTellFromDoorsAreNamed) {
+  auto snapshot = room(wall_with_gap(1), nowhere);
+  mapping::SonarFeatures features;
+  features.unheard = {{{-0.4, 1.0}, {-0.9, 1.0}},  // wide enough
+                      {{-0.9, -1.0}, {0.2, -1.0}},
+                      {{0.9, 1.0}, {0.5, 1.0}},    // too narrow
+                      {{3.0, -0.5}, {3.0, 0.5}}};  // behind a gap that is too narrow for the robot
+  snapshot.features = std::make_shared<const mapping::SonarFeatures>(features);
+  const Coverage coverage = coverage_of(snapshot);
+  ASSERT_EQ(coverage.doors.size(), 2U);
+  EXPECT_NEAR(coverage.doors[0].length_m(), 1.1, 1e-9) << "the widest first";
+  EXPECT_NEAR(coverage.doors[1].length_m(), 0.5, 1e-9);
+  EXPECT_EQ(coverage.share(), 1.0);
+
+  mapping::Scan look;
+  for (int deg = 0; deg < 360; deg += 4) {
+    const Pose2 at(-0.4, -0.2, geometry::radians(deg));
+    look.push_back({at, at, std::nullopt});
+  }
+  snapshot.scans = std::make_shared<const std::vector<mapping::Scan>>(1, look);
+  const Coverage looked_at = coverage_of(snapshot);
+  ASSERT_EQ(looked_at.doors.size(), 1U) << "one stop could tell the wide one";
+  EXPECT_NEAR(looked_at.doors[0].length_m(), 0.5, 1e-9);
+}
+
 TEST(CoverageOf, AGapThatIsTooNarrowIsToldAndWhatLiesBehindIsOutOfReach) {
   const Coverage coverage = coverage_of(room(wall_with_gap(1), nowhere));
   ASSERT_EQ(coverage.gaps.size(), 1U);

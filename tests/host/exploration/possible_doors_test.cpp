@@ -7,6 +7,7 @@
 
 #include "host/exploration/cost_grid.hpp"
 #include "host/geometry/angle.hpp"
+#include "tests/support/drawn_map.hpp"
 
 namespace echomap::exploration {
 namespace {
@@ -17,27 +18,17 @@ using mapping::RasterMap;
 /// The wall x = 2 from y = 0 to 0.6, its floor at smaller x.
 const geometry::Segment kWall{{2.0, 0.0}, {2.0, 0.6}};
 
-RasterMap all_free() {
-  RasterMap map(100, 100, 0.05, {-1.0, -1.0});
-  for (int y = 0; y < 100; ++y) {
-    for (int x = 0; x < 100; ++x) {
-      map.set({x, y}, CellState::kFree);
-    }
-  }
-  return map;
-}
-
 PastView all_round_from(double x_m, double y_m) { return {{x_m, y_m}, 0.0, std::numbers::pi}; }
 
 TEST(PossibleDoors, AreWideEnoughAndToldByNobody) {
-  const RasterMap map = all_free();
+  const RasterMap map = tests::free_floor();
   EXPECT_EQ(possible_doors(map, {kWall}, {}, {}).size(), 1U);
   EXPECT_TRUE(possible_doors(map, {{{2.0, 0.0}, {2.0, 0.45}}}, {}, {}).empty()) << "too narrow";
   EXPECT_TRUE(possible_doors(map, {kWall}, {all_round_from(1.5, 0.3)}, {}).empty());
 }
 
 TEST(PossibleDoors, AreToldOnlyFromNearAndBeforeThem) {
-  const RasterMap map = all_free();
+  const RasterMap map = tests::free_floor();
   for (const PastView& view : {all_round_from(0.5, 0.3),   // ends and wall are as far as each other
                                all_round_from(1.8, 0.05),  // too near to one end
                                all_round_from(1.5, 0.8),   // beside it
@@ -48,7 +39,7 @@ TEST(PossibleDoors, AreToldOnlyFromNearAndBeforeThem) {
 }
 
 TEST(NearestDoorStand, IsBeforeTheNearestDoorAndNotTwiceTheSame) {
-  const RasterMap map = all_free();
+  const RasterMap map = tests::free_floor();
   const CostGrid costs(map, {0.0, 0.3}, {});
   TravelField travel;
   travel.search(costs, map.cell_at({0.0, 0.3}));
@@ -65,7 +56,7 @@ TEST(NearestDoorStand, IsBeforeTheNearestDoorAndNotTwiceTheSame) {
 }
 
 TEST(NearestDoorStand, IsNoneWhereTheRobotCannotGo) {
-  RasterMap map = all_free();
+  RasterMap map = tests::free_floor();
   for (int y = 0; y < 100; ++y) {
     for (const double x_m : {0.8, 0.85, 0.9}) {
       map.set({map.cell_at({x_m, 0.0}).x, y}, CellState::kOccupied);

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/drawn_map.hpp"
+
 namespace echomap::exploration {
 namespace {
 
@@ -13,16 +15,6 @@ using mapping::RasterMap;
 
 /// The wall x = 2 from y = 0 to 1, its floor at smaller x.
 const geometry::Segment kWall{{2.0, 0.0}, {2.0, 1.0}};
-
-RasterMap all_free() {
-  RasterMap map(100, 100, 0.05, {-1.0, -1.0});
-  for (int y = 0; y < 100; ++y) {
-    for (int x = 0; x < 100; ++x) {
-      map.set({x, y}, CellState::kFree);
-    }
-  }
-  return map;
-}
 
 TEST(UnobservedWalls, AreThoseThatADoorMayBeIn) {
   const UnobservedWallParams params;
@@ -37,7 +29,7 @@ TEST(UnobservedWalls, AreThoseThatADoorMayBeIn) {
 }
 
 TEST(FacingRad, IsTheBearingOfTheFootOfThePerpendicular) {
-  const auto bearing_rad = facing_rad(all_free(), {1.0, 0.7}, kWall, {});
+  const auto bearing_rad = facing_rad(tests::free_floor(), {1.0, 0.7}, kWall, {});
   ASSERT_TRUE(bearing_rad);
   EXPECT_NEAR(*bearing_rad, 0.0, 1e-9);
 }
@@ -48,15 +40,15 @@ TEST(FacingRad, IsEmptyBesideAndBehindAndFarFromTheWall) {
                                         Eigen::Vector2d(1.0, -0.1),
                                         Eigen::Vector2d(2.5, 0.5),
                                         Eigen::Vector2d(-0.9, 0.5)}) {
-    EXPECT_FALSE(facing_rad(all_free(), from_m, kWall, {})) << from_m.transpose();
+    EXPECT_FALSE(facing_rad(tests::free_floor(), from_m, kWall, {})) << from_m.transpose();
   }
 }
 
 TEST(FacingRad, IsEmptyWhereSomethingStandsBetween) {
-  RasterMap map = all_free();
+  RasterMap map = tests::free_floor();
   map.set(map.cell_at({1.5, 0.7}), CellState::kOccupied);
   EXPECT_FALSE(facing_rad(map, {1.0, 0.71}, kWall, {}));
-  map = all_free();
+  map = tests::free_floor();
   map.set(map.cell_at({1.98, 0.7}), CellState::kOccupied);
   EXPECT_TRUE(facing_rad(map, {1.0, 0.71}, kWall, {})) << "that is the wall itself";
 }
