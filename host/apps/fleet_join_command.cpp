@@ -14,6 +14,7 @@
 #include <spdlog/spdlog.h>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/counted_encounters.hpp"
 #include "host/apps/explore_run.hpp"
 #include "host/apps/fleet_connection.hpp"
 #include "host/apps/fleet_map_files.hpp"
@@ -92,30 +93,6 @@ void wait_for_round(fleet::FleetRounds& rounds) {
   }
 }
 
-/// Explores as one of a team, and says at its end what became of meeting others.
-class CountedTeamExplorer final : public exploration::Explorer {
- public:
-  CountedTeamExplorer(FleetMember& member,
-                      const team_exploration::TeamExplorerParams& params,
-                      MemberEncounters& encounters)
-      : explorer_(member, params), encounters_(encounters) {}
-  ~CountedTeamExplorer() override {
-    encounters_.add(explorer_.encounters(), explorer_.is_in_deadlock());
-  }
-  CountedTeamExplorer(const CountedTeamExplorer&) = delete;
-  CountedTeamExplorer& operator=(const CountedTeamExplorer&) = delete;
-
-  exploration::Motion next(const pipeline::Snapshot& snapshot,
-                           exploration::MotionResult last) override {
-    return explorer_.next(snapshot, last);
-  }
-  exploration::Intent intent() const override { return explorer_.intent(); }
-
- private:
-  team_exploration::TeamExplorer explorer_;
-  MemberEncounters& encounters_;
-};
-
 /// Each exchange of a simulated fleet ends a round; the user of a real one hears of the connection.
 void follow_bus(FleetMember& member, fleet::FleetRounds* rounds, const mqtt::Connection& bus) {
   if (rounds == nullptr) {
@@ -143,7 +120,10 @@ std::unique_ptr<exploration::Explorer> team_explorer(FleetMember& member,
   params.avoidance.guard.robot_radius_m = profile.body_radius_m;
   params.avoidance.aside.costs = params.frontier.navigator.costs;
   return strategies::under_watch(
-      std::make_unique<CountedTeamExplorer>(member, params, encounters), profile, true);
+      std::make_unique<CountedEncounters<team_exploration::TeamExplorer>>(
+          encounters, member, params),
+      profile,
+      true);
 }
 
 /// What a member searches a source with.
@@ -160,7 +140,8 @@ std::unique_ptr<exploration::Explorer> team_searcher(FleetMember& member,
                                                      MemberSearch& search,
                                                      const session::RobotProfile& profile,
                                                      const std::string& name,
-                                                     double max_s) {
+                                                     double max_s,
+                                                     MemberEncounters& encounters) {
   const source_search::SourceSearchParams source = source_search_params(profile);
   fleet_member::TeamSearcherParams params;
   params.max_s = max_s;
@@ -169,8 +150,8 @@ std::unique_ptr<exploration::Explorer> team_searcher(FleetMember& member,
   params.avoidance.guard.robot_radius_m = profile.body_radius_m;
   params.avoidance.aside.costs = source.frontier.navigator.costs;
   search.strategy = std::make_shared<source_search::SourceSearch>(source);
-  return strategies::under_watch(std::make_unique<fleet_member::TeamSearcher>(
-                                     member, search.strategy, search.readings, params),
+  return strategies::under_watch(std::make_unique<CountedEncounters<fleet_member::TeamSearcher>>(
+                                     encounters, member, search.strategy, search.readings, params),
                                  profile,
                                  true);
 }
@@ -317,8 +298,10 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   explore.next = next_of(options, out);
   MemberEncounters encounters;
   explore.make_explorer = [&](const strategies::StrategyOptions& left) {
-    return search ? team_searcher(member, *search, robot.profile(), credentials.user, options.max_s)
-                  : team_explorer(member, robot.profile(), credentials.user, left, encounters);
+    const session::RobotProfile& whose = robot.profile();
+    const std::string& name = credentials.user;
+    return search ? team_searcher(member, *search, whose, name, options.max_s, encounters)
+                  : team_explorer(member, whose, name, left, encounters);
   };
   explore.known = [&] { return member.known(); };
   RunEnding ending = explore_and_save(robot, explore, summary);

@@ -38,6 +38,31 @@ std::string chosen_map(const FleetMapOptions& options,
                      "nothing is known of a map of '" + options.robot + "'" + status);
 }
 
+RunEnding ending_of(std::size_t joined,
+                    std::size_t maps,
+                    std::size_t missing_objects,
+                    const std::string& name,
+                    const std::filesystem::path& out,
+                    const FleetMapOptions& options) {
+  RunEnding ending;
+  ending.outcome = joined < maps ? "not-joined" : missing_objects > 0 ? "incomplete" : "joined";
+  ending.why =
+      fmt::format("{} of {} maps of the fleet are in it, in the frame of {}", joined, maps, name);
+  if (missing_objects > 0) {
+    ending.why += fmt::format(
+        "; {} submaps or source readings that its robots have made did not "
+        "come within {:.0f} s",
+        missing_objects,
+        options.listen_s);
+  }
+  const bool is_all = joined == maps && missing_objects == 0;
+  ending.code = is_all ? ExitCode::kOk : ExitCode::kUnfinished;
+  ending.next =
+      is_all ? console::shell_line({"echomap", "localize", "--map", out.string()})
+             : console::shell_line({"echomap", "fleet", "status", "--as", options.as.string()});
+  return ending;
+}
+
 }  // namespace
 
 ExitCode run_fleet_map(const FleetMapOptions& options) {
@@ -58,15 +83,7 @@ ExitCode run_fleet_map(const FleetMapOptions& options) {
   for (const auto& component : picture.team().components()) {
     maps += component.robots.size();
   }
-  RunEnding ending;
-  ending.outcome = joined == maps ? "joined" : "not-joined";
-  ending.code = joined == maps ? ExitCode::kOk : ExitCode::kUnfinished;
-  ending.why =
-      fmt::format("{} of {} maps of the fleet are in it, in the frame of {}", joined, maps, name);
-  ending.next =
-      joined == maps
-          ? console::shell_line({"echomap", "localize", "--map", out.string()})
-          : console::shell_line({"echomap", "fleet", "status", "--as", options.as.string()});
+  const RunEnding ending = ending_of(joined, maps, watch.missing_objects(), name, out, options);
   describe_ending(ending, summary);
   save_team_map(*snapshot, session::load_robot_profile(RunOptions().robot), out, summary);
   save_provenance(picture.team().merged(name), out / "provenance.csv");

@@ -31,6 +31,8 @@ class FleetWatch {
   double now_s() const;
 
   fleet::FleetState state() const { return knowledge_.state(now_s()); }
+  /// How many objects the fleet has that have not been heard.
+  std::size_t missing_objects() const { return knowledge_.missing_objects(); }
   std::uint64_t revision() const { return knowledge_.revision(); }
   const fleet::ReceptionStatistics& statistics() const { return knowledge_.statistics(); }
   const std::string& fleet() const { return connection_.credentials.fleet; }

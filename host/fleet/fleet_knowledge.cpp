@@ -86,6 +86,19 @@ ContentHash FleetKnowledge::object_set() const {
   return *object_set_;
 }
 
+std::size_t FleetKnowledge::missing_objects() const {
+  std::size_t missing = 0;
+  for (const auto& [name, robot] : robots_) {
+    const std::vector<ContentHash> promised = robot.promised();
+    const std::size_t made =
+        robot.presence() ? std::size_t{robot.presence()->own_objects} : std::size_t{0};
+    const auto here = static_cast<std::size_t>(
+        std::ranges::count_if(promised, [&](const ContentHash& object) { return has(object); }));
+    missing += std::max(made, promised.size()) - here;
+  }
+  return missing;
+}
+
 const std::map<std::string, StoredPayload>& FleetKnowledge::stored(const std::string& robot) const {
   static const std::map<std::string, StoredPayload> kNone;
   const auto found = stored_.find(robot);

@@ -80,6 +80,8 @@ class FleetKnowledge {
   bool has(const fleet_messages::ContentHash& object) const { return objects_.contains(object); }
   std::size_t object_count() const { return objects_.size(); }
   fleet_messages::ContentHash object_set() const;
+  /// How many objects the robots said they have made that have not come.
+  std::size_t missing_objects() const;
   /// Whether the robot, when it was heard last, had graphs, claims or an alignment that have not
   /// come.
   bool is_behind(const std::string& robot) const { return behind_.contains(robot); }

@@ -210,6 +210,13 @@ const team_map::MergedMap* FleetMember::merged() {
   return picture_.team().component_of(map) != nullptr ? &picture_.team().merged(map) : nullptr;
 }
 
-void FleetMember::leave() { exchange_.leave(); }
+void FleetMember::leave() {
+  if (source_recorder_) {
+    if (const auto batch = source_recorder_->take_rest()) {
+      exchange_.add_source_batch(*batch);
+    }
+  }
+  exchange_.leave();
+}
 
 }  // namespace echomap::fleet_member

@@ -63,7 +63,16 @@ void SourceRecorder::end_row() {
 std::optional<fleet_messages::SourceBatch> SourceRecorder::take() {
   const bool is_due =
       !rows_.empty() && rows_.back().stamp_s - batch_begin_s_ + rows_.back().dwell_s >= batch_s_;
-  if (!is_due || submaps_.submaps().empty()) {
+  return is_due ? batch() : std::nullopt;
+}
+
+std::optional<fleet_messages::SourceBatch> SourceRecorder::take_rest() {
+  end_row();
+  return batch();
+}
+
+std::optional<fleet_messages::SourceBatch> SourceRecorder::batch() {
+  if (rows_.empty() || submaps_.submaps().empty()) {
     return std::nullopt;
   }
   return fleet_messages::SourceBatch{submaps_.submaps().back().index, std::exchange(rows_, {})};

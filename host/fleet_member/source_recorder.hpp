@@ -25,10 +25,13 @@ class SourceRecorder final : public pipeline::AnyObservationSink {
   /// What was read since the last batch, once that is long enough and there is a submap: readings
   /// in a row as one, as source_search::SourceReadings has them.
   std::optional<fleet_messages::SourceBatch> take();
+  /// All that was read since, however little.
+  std::optional<fleet_messages::SourceBatch> take_rest();
 
  private:
   void add(const sensors::ScalarObservation& observation);
   void end_row();
+  std::optional<fleet_messages::SourceBatch> batch();
 
   const team_map::SubmapRecorder& submaps_;
   source_search::SourceReadingsParams params_;

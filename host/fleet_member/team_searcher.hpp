@@ -41,6 +41,8 @@ class TeamSearcher final : public exploration::Explorer {
                            exploration::MotionResult last) override;
   exploration::Intent intent() const override { return search_->intent(); }
   const team_exploration::Encounters& encounters() const { return avoidance_.encounters(); }
+  /// Whether it waits for one who waits for it.
+  bool is_in_deadlock() const { return avoidance_.is_in_deadlock(); }
 
  private:
   exploration::Motion decide(const pipeline::Snapshot& snapshot,

@@ -2,8 +2,8 @@
 #include "host/source_search/source_floor.hpp"
 
 #include <algorithm>
-#include <queue>
 #include <utility>
+#include <vector>
 
 namespace echomap::source_search {
 
@@ -31,37 +31,32 @@ SourceFloor::SourceFloor(mapping::RasterMap known_map, const exploration::ViewGa
 }
 
 UnknownReach unknown_reach(const SourceFloor& floor, std::int32_t max_steps) {
-  struct Step {
-    float share;
-    std::int32_t steps;
+  struct Reached {
     CellIndex cell;
-    bool operator<(const Step& other) const {
-      return share != other.share ? share < other.share : steps > other.steps;
-    }
+    float share;
   };
   const mapping::RasterMap& map = floor.map;
   UnknownReach reach{CellValues<float>(map, 0.0F), CellValues<std::int32_t>(map, 0)};
-  std::priority_queue<Step> queue;
+  std::vector<Reached> edge;
   for_each_cell(map, [&](CellIndex cell) {
     if (map.state(cell) == CellState::kFree) {
       reach.share[cell] = 1.0F;
-      queue.push({1.0F, 0, cell});
+      edge.push_back({cell, 1.0F});
     }
   });
-  while (!queue.empty()) {
-    const Step at = queue.top();
-    queue.pop();
-    if (at.steps == max_steps) {
-      continue;
+  for (std::int32_t step = 1; step <= max_steps && !edge.empty(); ++step) {
+    std::vector<Reached> next_edge;
+    for (const Reached& from : edge) {
+      for_each_side(map, from.cell, [&](CellIndex next) {
+        const float share = std::min(from.share, floor.floor_share[next]);
+        if (map.state(next) == CellState::kUnknown && share > reach.share[next]) {
+          reach.share[next] = share;
+          reach.steps[next] = step;
+          next_edge.push_back({next, share});
+        }
+      });
     }
-    for_each_side(map, at.cell, [&](CellIndex next) {
-      const float share = std::min(at.share, floor.floor_share[next]);
-      if (map.state(next) == CellState::kUnknown && share > reach.share[next]) {
-        reach.share[next] = share;
-        reach.steps[next] = at.steps + 1;
-        queue.push({share, at.steps + 1, next});
-      }
-    });
+    edge = std::move(next_edge);
   }
   return reach;
 }

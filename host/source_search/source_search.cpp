@@ -42,7 +42,11 @@ SourceSearch::SourceSearch(const SourceSearchParams& params)
       .nonnegative_finite("beyond_m", params.beyond_m)
       .nonnegative_finite("nats_per_unknown_m2", params.nats_per_unknown_m2)
       .positive_finite("rethink_s", params.rethink_s)
-      .positive("max_goals", params.max_goals);
+      .positive("max_goals", params.max_goals)
+      .positive_finite("frontier.gain.depth_m", params.frontier.gain.depth_m)
+      .at_least("belief.grid.unknown_reach_m",
+                params.belief.grid.unknown_reach_m,
+                params.explores ? params.frontier.gain.depth_m : 0.0);
 }
 
 void SourceSearch::set_readings(std::vector<FieldReading> readings) {

@@ -43,10 +43,11 @@ Eigen::Vector2d middle_m(const RobotMap& map) {
   return sum_m / static_cast<double>(map.T_map_submaps().size());
 }
 
-std::size_t index_of(const TeamComponent& component, const std::string& robot) {
-  return static_cast<std::size_t>(
-      std::lower_bound(component.robots.begin(), component.robots.end(), robot) -
-      component.robots.begin());
+std::optional<std::size_t> find_in(const TeamComponent& component, const std::string& robot) {
+  const auto found = std::ranges::lower_bound(component.robots, robot);
+  return found == component.robots.end() || *found != robot
+             ? std::nullopt
+             : std::optional(static_cast<std::size_t>(found - component.robots.begin()));
 }
 
 }  // namespace
@@ -235,16 +236,10 @@ void TeamMap::align(TeamComponent& component) const {
 }
 
 std::vector<TeamRelation> TeamMap::relations_in(const TeamComponent& component) const {
-  const auto index_of = [&](const std::string& robot) -> std::optional<std::size_t> {
-    const auto found = std::find(component.robots.begin(), component.robots.end(), robot);
-    return found == component.robots.end()
-               ? std::nullopt
-               : std::optional(static_cast<std::size_t>(found - component.robots.begin()));
-  };
   std::vector<TeamRelation> relations;
   for (const auto& [pair, relative] : told_) {
-    const auto robot = index_of(pair.first);
-    const auto peer = index_of(pair.second);
+    const auto robot = find_in(component, pair.first);
+    const auto peer = find_in(component, pair.second);
     if (robot && peer) {
       const Pose2& T_robot_submap = robots_.at(pair.first).T_map_submaps().front();
       const Pose2& T_peer_submap = robots_.at(pair.second).T_map_submaps().front();
@@ -258,8 +253,8 @@ std::vector<TeamRelation> TeamMap::relations_in(const TeamComponent& component) 
     }
   }
   for (const PeerSighting& seen : sightings_) {
-    const auto robot = index_of(seen.robot);
-    const auto peer = index_of(seen.peer);
+    const auto robot = find_in(component, seen.robot);
+    const auto peer = find_in(component, seen.peer);
     if (robot && peer && seen.submap < component.T_team_submaps[*robot].size() &&
         seen.peer_submap < component.T_team_submaps[*peer].size()) {
       relations.push_back({*robot,
@@ -276,7 +271,7 @@ std::vector<TeamRelation> TeamMap::relations_in(const TeamComponent& component) 
 
 const TeamComponent* TeamMap::component_of(const std::string& robot) const {
   for (const TeamComponent& component : components_) {
-    if (std::binary_search(component.robots.begin(), component.robots.end(), robot)) {
+    if (find_in(component, robot)) {
       return &component;
     }
   }
@@ -286,18 +281,21 @@ const TeamComponent* TeamMap::component_of(const std::string& robot) const {
 std::optional<RelativePose> TeamMap::relative_pose(const std::string& own,
                                                    const std::string& peer) const {
   const TeamComponent* component = component_of(own);
-  if (component == nullptr || component != component_of(peer)) {
+  if (component == nullptr) {
     return std::nullopt;
   }
-  const std::size_t i = index_of(*component, own);
-  const std::size_t k = index_of(*component, peer);
-  if (i == k) {
+  const auto i = find_in(*component, own);
+  const auto k = find_in(*component, peer);
+  if (!i || !k) {
+    return std::nullopt;
+  }
+  if (*i == *k) {
     return RelativePose{};
   }
   return RelativePose{
-      component->T_team_maps[i].inverse() * component->T_team_maps[k],
-      std::hypot(component->position_stddev_m[i], component->position_stddev_m[k]),
-      std::hypot(component->heading_stddev_rad[i], component->heading_stddev_rad[k])};
+      component->T_team_maps[*i].inverse() * component->T_team_maps[*k],
+      std::hypot(component->position_stddev_m[*i], component->position_stddev_m[*k]),
+      std::hypot(component->heading_stddev_rad[*i], component->heading_stddev_rad[*k])};
 }
 
 const MergedMap& TeamMap::merged(const std::string& robot) {
@@ -308,7 +306,7 @@ const MergedMap& TeamMap::merged(const std::string& robot) {
   if (const auto made = merged_.find(robot); made != merged_.end()) {
     return made->second;
   }
-  const Pose2 T_map_team = component->T_team_maps[index_of(*component, robot)].inverse();
+  const Pose2 T_map_team = component->T_team_maps[find_in(*component, robot).value()].inverse();
   std::vector<MapShare> shares;
   for (std::size_t i = 0; i < component->robots.size(); ++i) {
     const RobotMap& map = robots_.at(component->robots[i]);

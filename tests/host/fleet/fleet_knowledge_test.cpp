@@ -63,6 +63,26 @@ TEST_F(FleetKnowledgeTest, CountsObjectsOnce) {
             fleet_messages::set_hash({fleet_messages::content_hash(submap.payload)}));
 }
 
+TEST_F(FleetKnowledgeTest, CountsWhatRobotsHaveMadeAndHasNotCome) {
+  EXPECT_EQ(knowledge_.missing_objects(), 0U);
+  const mqtt::Message first = submap_by("r2");
+  const mqtt::Message second = submap_by("r2");
+  knowledge_.take(
+      message_by("r2",
+                 fleet_messages::ManifestMessage{0,
+                                                 {fleet_messages::content_hash(first.payload),
+                                                  fleet_messages::content_hash(second.payload)}},
+                 1),
+      1.0);
+  EXPECT_EQ(knowledge_.missing_objects(), 2U);
+  knowledge_.take(first, 2.0);
+  EXPECT_EQ(knowledge_.missing_objects(), 1U);
+  fleet_messages::PresenceMessage presence;
+  presence.own_objects = 5;
+  knowledge_.take(message_by("r2", presence, 2), 3.0);
+  EXPECT_EQ(knowledge_.missing_objects(), 4U) << "pages of the manifest are missing, too";
+}
+
 TEST_F(FleetKnowledgeTest, RefusesAnotherFleet) {
   mqtt::Message claim = message_by("r2", ClaimMessage{}, 1);
   claim.topic = "echomap/1/yard/r2/claim";

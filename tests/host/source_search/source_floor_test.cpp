@@ -33,6 +33,15 @@ TEST(SourceFloor, WhatIsTooFarOrOccupiedIsNotReached) {
   EXPECT_EQ((reach.share[CellIndex{3, 1}]), 0.0F);
 }
 
+TEST(SourceFloor, AShortWayLeadsFartherThanALongOneThatIsMoreLikely) {
+  SourceFloor floor(tests::map_from({".       ", "## #####", ".       "}));
+  floor.floor_share[{1, 0}] = 0.25F;
+  const UnknownReach reach = unknown_reach(floor, 5);
+  EXPECT_EQ((reach.share[CellIndex{3, 0}]), 1.0F) << "by the other row";
+  EXPECT_EQ((reach.share[CellIndex{5, 0}]), 0.25F) << "straight on";
+  EXPECT_EQ((reach.share[CellIndex{6, 0}]), 0.0F);
+}
+
 TEST(SourceFloor, BeyondItsReachEachWayGoesOn) {
   SourceFloor floor = floor_with_a_way();
   // Two ways of a cell's width, for 2 m.

@@ -137,6 +137,11 @@ TEST(SourceSearch, RefusesWhatIsOutOfRange) {
   params = {};
   params.frontier.sweep.step_rad = 0.0;
   EXPECT_THROW(SourceSearch{params}, std::invalid_argument);
+  params = {};
+  params.belief.grid.unknown_reach_m = 0.5 * params.frontier.gain.depth_m;
+  EXPECT_THROW(SourceSearch{params}, std::invalid_argument);
+  params.explores = false;
+  EXPECT_NO_THROW(SourceSearch{params});
 }
 
 }  // namespace
