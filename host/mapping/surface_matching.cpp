@@ -130,15 +130,22 @@ std::vector<bool> SurfaceMatcher::rematched(const std::vector<ScanSurfaces>& sca
   if (changed.empty()) {
     return is_rematched;
   }
-  const Eigen::Vector2d& about_m = scans[changed.back()].center_m;
-  std::vector<std::size_t> nearest(scans.size());
-  std::iota(nearest.begin(), nearest.end(), std::size_t{0});
-  std::stable_sort(nearest.begin(), nearest.end(), [&](std::size_t a, std::size_t b) {
-    return (scans[a].center_m - about_m).norm() < (scans[b].center_m - about_m).norm();
-  });
-  nearest.resize(std::min(nearest.size(), params_.rematched_stops));
-  for (const std::size_t scan : nearest) {
-    is_rematched[scan] = true;
+  const auto rematch_about = [&](const Eigen::Vector2d& about_m) {
+    std::vector<std::size_t> nearest(scans.size());
+    std::iota(nearest.begin(), nearest.end(), std::size_t{0});
+    std::stable_sort(nearest.begin(), nearest.end(), [&](std::size_t a, std::size_t b) {
+      return (scans[a].center_m - about_m).norm() < (scans[b].center_m - about_m).norm();
+    });
+    nearest.resize(std::min(nearest.size(), params_.rematched_stops));
+    for (const std::size_t scan : nearest) {
+      is_rematched[scan] = true;
+    }
+  };
+  const std::size_t known = is_taken_.size();
+  for (const std::size_t scan : changed) {
+    if (scan >= known || scan == changed.back()) {
+      rematch_about(scans[scan].center_m);
+    }
   }
   return is_rematched;
 }

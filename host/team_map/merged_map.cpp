@@ -83,23 +83,42 @@ void Provenance::add(geometry::CellIndex cell, std::size_t robot) {
   }
 }
 
-MergedMap MergedMapper::merge(const std::vector<MapShare>& shares) {
+void MergedMapper::begin_with(const std::vector<MapShare>& shares) {
   std::vector<std::string> robots;
-  std::vector<mapping::Scan> scans;
-  std::vector<Eigen::Vector2d> track_m;
   for (const MapShare& share : shares) {
     robots.push_back(share.robot);
-    scans.insert(scans.end(), share.placed.scans.begin(), share.placed.scans.end());
-    const auto path_m = positions_m(share.placed.T_map_way);
+  }
+  bool goes_on = mapper_ && robots == robots_;
+  for (std::size_t robot = 0; goes_on && robot < shares.size(); ++robot) {
+    goes_on = shares[robot].placed.scans.size() >= taken_[robot];
+  }
+  if (!goes_on) {
+    mapper_ = std::make_unique<mapping::SonarMapper>(params_);
+    robots_ = std::move(robots);
+    taken_.assign(shares.size(), 0);
+    order_.clear();
+  }
+}
+
+MergedMap MergedMapper::merge(const std::vector<MapShare>& shares) {
+  begin_with(shares);
+  std::vector<Eigen::Vector2d> track_m;
+  for (std::size_t robot = 0; robot < shares.size(); ++robot) {
+    const PlacedSubmaps& placed = shares[robot].placed;
+    while (taken_[robot] < placed.scans.size()) {
+      order_.push_back({robot, taken_[robot]++});
+    }
+    const auto path_m = positions_m(placed.T_map_way);
     track_m.insert(track_m.end(), path_m.begin(), path_m.end());
   }
-  if (!mapper_ || robots != robots_) {
-    mapper_ = std::make_unique<mapping::SonarMapper>(params_);
-    robots_ = robots;
+  std::vector<mapping::Scan> scans;
+  scans.reserve(order_.size());
+  for (const Contribution& one : order_) {
+    scans.push_back(shares[one.robot].placed.scans[one.scan]);
   }
   mapper_->take(scans, track_m);
   MergedMap merged;
-  merged.robots = std::move(robots);
+  merged.robots = robots_;
   merged.grid =
       std::make_shared<const OccupancyGrid>(with_contacts(mapper_->grid(), shares, params_.grid));
   merged.provenance = Provenance(merged.grid->bounds(), merged.grid->resolution_m());

@@ -41,7 +41,7 @@ class Provenance {
 struct MergedMap {
   std::vector<std::string> robots;  ///< At most 64 have a bit of their own.
   std::shared_ptr<const mapping::OccupancyGrid> grid;
-  /// What the sonars of all of them heard, robot by robot.
+  /// What the sonars of all of them heard, in the order in which it came.
   std::shared_ptr<const std::vector<mapping::Scan>> scans;
   /// What the grid is drawn from.
   std::shared_ptr<const mapping::SonarFeatures> features;
@@ -68,7 +68,18 @@ class MergedMapper {
 
  private:
   mapping::SonarMapperParams params_;
+  /// A scan of a robot, by indices.
+  struct Contribution {
+    std::size_t robot = 0;
+    std::size_t scan = 0;
+  };
+
+  /// Begins anew where other robots are in it, or one of them has fewer scans than before.
+  void begin_with(const std::vector<MapShare>& shares);
+
   std::vector<std::string> robots_;
+  std::vector<std::size_t> taken_;   ///< How many scans of each.
+  std::vector<Contribution> order_;  ///< In which the mapper has them: it knows scans by it.
   std::unique_ptr<mapping::SonarMapper> mapper_;
 };
 

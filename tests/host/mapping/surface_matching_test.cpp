@@ -2,6 +2,7 @@
 #include "host/mapping/surface_matching.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -180,6 +181,22 @@ TEST(SurfaceMatcher, KeepsAFeatureThatWasPassedLongAgo) {
   const auto matched = matched_one_by_one(scans, params);
   ASSERT_EQ(matched.features.size(), 1U);
   EXPECT_EQ(matched.features[0].supporters.size(), 7U);
+}
+
+TEST(SurfaceMatcher, FindsWhatIsFarFromTheLastOfSeveralNewStops) {
+  std::vector<ScanSurfaces> scans;
+  for (int i = 0; i < 40; ++i) {
+    scans.push_back(i < 7 ? stop_near_post(0.3 * i, 0.05 * (i % 3), 0.0)
+                          : ScanSurfaces{{0.3 * i, 0.0}, {}, {}});
+  }
+  SurfaceMatchingParams params;
+  params.rematched_stops = 8;
+  std::vector<std::size_t> all(scans.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  SurfaceMatcher matcher(params);
+  matcher.update(scans, all);
+  ASSERT_EQ(matcher.matched().features.size(), 1U);
+  EXPECT_EQ(matcher.matched().features[0].supporters.size(), 7U);
 }
 
 TEST(SurfaceMatcher, LetsGoOfStopsThatAreNoMore) {

@@ -73,13 +73,8 @@ TEST(MergedMap, HasWhatRobotsFeltOnTheirWays) {
   EXPECT_GT(evidence_at_bumper(), before);
 }
 
-TEST(MergedMap, IsTheSameWhenItIsMadeAtOnceAndStopByStop) {
-  MergedMapper at_once{mapping::SonarMapperParams{}};
-  MergedMapper by_stops{mapping::SonarMapperParams{}};
-  const auto whole = share_of("a", tests::one_round_m());
-  by_stops.merge({share_of("a", {{0.0, 0.0}, {0.4, 0.3}})});
-  const MergedMap one = at_once.merge({whole});
-  const MergedMap other = by_stops.merge({whole});
+/// Of the cells that one of two maps of the room knows.
+double differing_share(const MergedMap& one, const MergedMap& other) {
   std::size_t differing = 0;
   std::size_t known = 0;
   for (int y = -20; y < 25; ++y) {
@@ -88,7 +83,37 @@ TEST(MergedMap, IsTheSameWhenItIsMadeAtOnceAndStopByStop) {
       known += one.grid->state({x, y}) != CellState::kUnknown ? 1 : 0;
     }
   }
-  EXPECT_LT(differing, known / 20);
+  return static_cast<double>(differing) / static_cast<double>(known);
+}
+
+TEST(MergedMap, IsTheSameWhenItIsMadeAtOnceAndStopByStop) {
+  MergedMapper at_once{mapping::SonarMapperParams{}};
+  MergedMapper by_stops{mapping::SonarMapperParams{}};
+  const auto whole = share_of("a", tests::one_round_m());
+  by_stops.merge({share_of("a", {{0.0, 0.0}, {0.4, 0.3}})});
+  EXPECT_LT(differing_share(at_once.merge({whole}), by_stops.merge({whole})), 0.05);
+}
+
+/// More stops than a mapper matches anew with one that is new, those of the first robot before
+/// those of the second.
+TEST(MergedMap, IsTheSameWhenRobotsTellTheirStopsInTurn) {
+  std::vector<Eigen::Vector2d> places_m;
+  for (int i = 0; i < 24; ++i) {
+    places_m.emplace_back(-0.7 + 0.25 * (i % 6), -0.4 + 0.25 * (i / 6));
+  }
+  const auto first = [&](int stops) {
+    return std::vector<Eigen::Vector2d>(places_m.begin(), places_m.begin() + stops);
+  };
+  MergedMapper in_turn{mapping::SonarMapperParams{}};
+  MergedMap last;
+  for (int stops = 4; stops <= 24; stops += 4) {
+    last = in_turn.merge({share_of("a", first(stops)), share_of("b", first(stops))});
+  }
+  MergedMapper at_once{mapping::SonarMapperParams{}};
+  const MergedMap whole = at_once.merge({share_of("a", places_m), share_of("b", places_m)});
+  EXPECT_EQ(last.scans->size(), whole.scans->size());
+  EXPECT_EQ(last.features->walls.size(), whole.features->walls.size());
+  EXPECT_LT(differing_share(whole, last), 0.05);
 }
 
 }  // namespace
