@@ -73,7 +73,7 @@ ExitCode run_fleet_map(const FleetMapOptions& options) {
   watch.require_own_account();
   const fleet::FleetState state = watch.state();
   fleet_member::TeamPicture picture;
-  picture.take(state);
+  picture.take_with_joins(state);
   const std::string name = chosen_map(options, state, picture);
   const auto snapshot = team_snapshot(picture, name);
   exports::RunSummary summary;

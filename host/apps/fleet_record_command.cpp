@@ -90,7 +90,7 @@ ExitCode run_fleet_record(const FleetRecordOptions& options) {
     }
     if (watch.now_s() >= next_map_s) {
       next_map_s = watch.now_s() + kMapPeriodS;
-      if (picture.take(watch.state())) {
+      if (picture.take_with_joins(watch.state())) {
         if (const auto snapshot = team_snapshot(picture, largest_map(picture))) {
           recorder.add_map(mapping::rasterize(*snapshot->grid), now_ns());
         }

@@ -201,7 +201,7 @@ void look_on(Members& members,
     }
     if (watch.now_s() >= next_look_s) {
       const fleet::FleetState state = watch.state();
-      picture.take(state);
+      picture.take_with_joins(state);
       page.show(watch.now_s(), state, picture, latest_map(state, members.names().front()));
       next_look_s = watch.now_s() + 0.5;
     }
@@ -347,7 +347,7 @@ ExitCode run_fleet_start(const FleetStartOptions& options) {
   look_on(members, broker, watch, picture, page);
   members.wait_for_all();
   watch.listen_for(0.5);
-  picture.take(watch.state());
+  picture.take_with_joins(watch.state());
 
   exports::RunSummary summary;
   summary.echomap_version = ECHOMAP_VERSION;

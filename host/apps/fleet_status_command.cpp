@@ -73,7 +73,7 @@ ExitCode run_fleet_status(const FleetStatusOptions& options) {
   watch.require_own_account();
   const fleet::FleetState state = watch.state();
   fleet_member::TeamPicture picture;
-  picture.take(state);
+  picture.take_with_joins(state);
 
   auto robots = ordered_json::array();
   for (const fleet::FleetRobot& robot : state.robots) {

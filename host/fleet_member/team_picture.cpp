@@ -79,6 +79,22 @@ bool TeamPicture::take(const FleetState& state) {
   return team_.update();
 }
 
+bool TeamPicture::take_with_joins(const FleetState& state) {
+  if (revision_ != state.revision) {
+    for (const FleetRobot& robot : state.robots) {
+      for (const fleet_messages::AlignedMap& map : robot.alignment) {
+        const fleet_messages::AlignedMap& first = robot.alignment.front();
+        if (&map != &first) {
+          team_.believe(map_name(first.robot, first.map_number),
+                        map_name(map.robot, map.map_number),
+                        first.T_component_map.inverse() * map.T_component_map);
+        }
+      }
+    }
+  }
+  return take(state);
+}
+
 void TeamPicture::tell(const std::string& own_map,
                        const std::string& peer_map,
                        const team_map::RelativePose& relative) {

@@ -25,6 +25,9 @@ class TeamPicture {
   /// Takes what is known now. Joins and aligns where a record has changed, which may take a second;
   /// answers whether maps or their relative poses have changed.
   bool take(const fleet::FleetState& state);
+  /// The same for somebody who only looks on: maps that robots of the fleet have joined are joined
+  /// here, too. A look at what they know now would not be sure of what theirs in a row were.
+  bool take_with_joins(const fleet::FleetState& state);
   /// From now on this holds of two maps, whatever walls say.
   void tell(const std::string& own_map,
             const std::string& peer_map,

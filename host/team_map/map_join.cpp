@@ -97,6 +97,14 @@ void MapJoin::join(const geometry::Pose2& T_first_second) {
   ++joins_;
 }
 
+bool MapJoin::believe(const geometry::Pose2& T_first_second) {
+  if (joined_ || undone_ > 0) {
+    return false;
+  }
+  join(T_first_second);
+  return true;
+}
+
 void MapJoin::undo() {
   if (joined_) {
     joined_.reset();

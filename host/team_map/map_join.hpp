@@ -71,6 +71,9 @@ class MapJoin {
   /// The same where others tell how the two lie to each other: joins them there if their readings
   /// are sure of it, too.
   void try_at(const RobotMap& first, const RobotMap& second, const geometry::Pose2& T_first_second);
+  /// Others have joined the two there: so they are here, too, to be checked like any join, unless
+  /// one has been undone here. Answers whether that is new.
+  bool believe(const geometry::Pose2& T_first_second);
   /// Whether the last tries in a row, as many as undo a join, spoke against that place.
   bool is_contradicted() const { return contradicting_ >= params_.undoing_looks; }
   /// Takes the join back: something else has contradicted it.

@@ -76,6 +76,16 @@ void TeamMap::tell(const ToldPose& told) {
   changed_.push_back(told.robot);
 }
 
+void TeamMap::believe(const std::string& robot,
+                      const std::string& peer,
+                      const Pose2& T_robot_peer) {
+  const Pair pair = std::minmax(robot, peer);
+  MapJoin& join = joins_.try_emplace(pair, params_.joining).first->second;
+  if (join.believe(pair.first == robot ? T_robot_peer : T_robot_peer.inverse())) {
+    changed_.push_back(robot);
+  }
+}
+
 void TeamMap::see(const PeerSighting& sighting) {
   sightings_.push_back(sighting);
   changed_.push_back(sighting.robot);

@@ -86,6 +86,12 @@ class TeamMap {
   /// From now on this holds, whatever walls say.
   void tell(const ToldPose& told);
 
+  /// Robots of the team have joined two maps: so they are here, too, until what is known
+  /// contradicts that.
+  void believe(const std::string& robot,
+               const std::string& peer,
+               const geometry::Pose2& T_robot_peer);
+
   /// Takes that one robot has seen another.
   void see(const PeerSighting& sighting);
 

@@ -111,6 +111,16 @@ TEST_F(TeamPictureTest, APoseOfAnEarlierMapIsNone) {
   EXPECT_TRUE(picture.view(state, "a", 0).peers.empty());
 }
 
+TEST_F(TeamPictureTest, WhoLooksOnHasMapsJoinedThatRobotsHaveJoined) {
+  const Pose2 T_true = tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0);
+  state.robots[0].alignment = {{"a", 0, Pose2(), {}}, {"b", 0, T_true, {}}};
+  TeamPicture member;
+  member.take(state);
+  EXPECT_EQ(member.team().components().size(), 2U) << "a robot decides for itself";
+  picture.take_with_joins(state);
+  EXPECT_EQ(picture.team().components().size(), 1U);
+}
+
 TEST_F(TeamPictureTest, TheFirstOfThoseJoinedTellsTheAlignment) {
   tell_where_b_started();
   picture.take(state);

@@ -119,6 +119,23 @@ TEST_F(MapJoinTest, JoinsAtOnceWhereOthersTellItAndReadingsAreSure) {
   EXPECT_GT(join.weight(), 0.0);
 }
 
+TEST_F(MapJoinTest, BelievesAJoinOfOthersUntilItIsContradicted) {
+  const Pose2 T_true = tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0);
+  stop(8);
+  EXPECT_TRUE(join.believe(T_true));
+  EXPECT_FALSE(join.believe(T_true)) << "it has it";
+  join.update(first, second);
+  join.update(first, second);
+  ASSERT_TRUE(join.T_first_second()) << "it holds";
+  MapJoin wrong{MapJoinParams{}};
+  wrong.believe(T_true * Pose2(0.1, 0.1, 0.35));
+  wrong.update(first, second);
+  EXPECT_TRUE(wrong.T_first_second()) << "one look is not enough";
+  wrong.update(first, second);
+  EXPECT_FALSE(wrong.T_first_second());
+  EXPECT_FALSE(wrong.believe(T_true)) << "it knows better";
+}
+
 TEST_F(MapJoinTest, KnowsThatReadingsSpeakAgainstWhatOthersTell) {
   stop(8);
   const Pose2 T_wrong =

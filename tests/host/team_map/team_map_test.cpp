@@ -89,6 +89,16 @@ TEST_F(TeamMapTest, BelievesWhatItIsTold) {
   EXPECT_NEAR(team.relative_pose("a", "b")->T_own_peer.y_m(), T_a_b.y_m(), 0.05);
 }
 
+TEST_F(TeamMapTest, JoinsAtOnceWhatRobotsOfTheTeamHaveJoined) {
+  team.take(a);
+  team.take(b);
+  team.believe("b", "a", T_a_b.inverse());
+  team.believe("a", "nobody", {});
+  team.update();
+  ASSERT_EQ(team.components().size(), 1U);
+  EXPECT_NEAR(team.relative_pose("a", "b")->T_own_peer.x_m(), T_a_b.x_m(), 0.05);
+}
+
 TEST_F(TeamMapTest, MovesJoinedMapsToWhereRobotsSawEachOther) {
   // What was told is poor, what was seen is good; walls are too far away to be shared.
   team.take(tests::first_stops(a, 2));
