@@ -126,6 +126,9 @@ SonarFeatures sonar_features(const MatchedSurfaces& matched,
   for (std::size_t i = 0; i < completed.size(); ++i) {
     unobserved.push_back(left_of(completed[i], real.walls[i].pieces));
     unheard.push_back(left_of(completed[i], completed[i].heard));
+    const auto doors = doors_left_by_echoes(completed[i], params.completion.doors);
+    auto& pieces = unheard.back().pieces;
+    pieces.insert(pieces.end(), doors.begin(), doors.end());
   }
   SonarFeatures features{segments_of(completed), {}, segments_of(unobserved), segments_of(unheard)};
   double max_radius_m = 0.0;

@@ -41,8 +41,8 @@ struct SonarFeatures {
   std::vector<FittedCircle> circles;
   /// Stretches of the walls that nobody has heard: gaps that were closed. The floor is to the left.
   std::vector<geometry::Segment> unobserved = {};
-  /// Those, and what no stop has had an answer from at right angles: the frame of a door sounds
-  /// like a wall from aside.
+  /// Those, what no stop has had an answer from at right angles, and where a door's frame may be
+  /// what has answered (door_evidence).
   std::vector<geometry::Segment> unheard = {};
 };
 

@@ -32,15 +32,6 @@ std::vector<MatchedWall::Piece> joined(std::vector<MatchedWall::Piece> pieces,
 
 /// A smooth wall answers from the foot of the perpendicular: a stop that has heard nothing there,
 /// or something farther off, has heard the wall's end, as that of a door's frame.
-bool is_heard_at_foot(const Sighting& sighting,
-                      const MatchedWall& wall,
-                      const SurfaceMatchingParams& params) {
-  const double foot_range_m =
-      wall.offset_m - geometry::unit_vector(wall.normal_rad).dot(sighting.center_m);
-  return sighting.surface.is_heard_towards(wall.normal_rad) &&
-         sighting.surface.range_m - foot_range_m <= params.foot_tolerance_m;
-}
-
 MatchedWall wall_of(const SupportedFeature& found, const SurfaceMatchingParams& params) {
   MatchedWall wall;
   wall.normal_rad = geometry::wrap_angle(found.feature.value.y());
@@ -50,8 +41,18 @@ MatchedWall wall_of(const SupportedFeature& found, const SurfaceMatchingParams& 
     const double foot_m = along.dot(sighting.center_m);
     const SonarSurface& surface = sighting.surface;
     wall.pieces.push_back({foot_m - surface.half_length_m, foot_m + surface.half_length_m});
-    if (is_heard_at_foot(sighting, wall, params)) {
-      wall.heard.push_back({foot_m - surface.right_m, foot_m + surface.left_m});
+    if (!surface.is_heard_towards(wall.normal_rad)) {
+      continue;
+    }
+    const double distance_m =
+        wall.offset_m - geometry::unit_vector(wall.normal_rad).dot(sighting.center_m);
+    const double longer_m = surface.range_m - distance_m;
+    const bool is_at_foot = longer_m <= params.foot_tolerance_m;
+    const double right_m = is_at_foot ? surface.right_m : 0.0;
+    const double left_m = is_at_foot ? surface.left_m : 0.0;
+    wall.echoes.push_back({foot_m, distance_m, longer_m, right_m, left_m});
+    if (is_at_foot) {
+      wall.heard.push_back({foot_m - right_m, foot_m + left_m});
     }
   }
   wall.pieces = joined(std::move(wall.pieces), params.bridged_gap_m);

@@ -12,6 +12,16 @@
 
 namespace echomap::mapping {
 
+/// What a stop has heard of a wall from about its foot of the perpendicular.
+struct FootEcho {
+  double foot_m = 0.0;      ///< Along the wall.
+  double distance_m = 0.0;  ///< From the stop to the foot.
+  double longer_m = 0.0;    ///< By so much the range was more than that.
+  /// How far wall was heard for sure beside the foot (SonarSurface).
+  double right_m = 0.0;
+  double left_m = 0.0;
+};
+
 /// A straight wall that several stops agree on: the points p with n . p = offset, n the unit vector
 /// at `normal_rad`, and with n_left . p in one of the pieces.
 struct MatchedWall {
@@ -26,6 +36,7 @@ struct MatchedWall {
   /// The same of those from which a stop has had an answer at right angles. Between them may be
   /// doors.
   std::vector<Piece> heard = {};
+  std::vector<FootEcho> echoes = {};
 };
 
 /// A feature and the sightings that it was made of.

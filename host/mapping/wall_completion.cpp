@@ -130,21 +130,26 @@ std::vector<MatchedWall> WallCompletion::completed(const MatchedSurfaces& matche
   return walls;
 }
 
-/// The pieces without the stretches that nobody has heard and that a stop right before them has
-/// told from a wall.
+/// The pieces without the stretches that nobody has heard, or where a door's frame may have
+/// answered, and that a stop right before them has told from a wall.
 std::vector<Piece> WallCompletion::without_doors(const MatchedWall& wall) const {
+  std::vector<Piece> open;
+  for (const Piece& piece : wall.pieces) {
+    const auto gaps = gaps_between(wall.heard, piece);
+    open.insert(open.end(), gaps.begin(), gaps.end());
+  }
+  for (const Piece& door : doors_left_by_echoes(wall, params_.doors)) {
+    open.push_back({door.from_m + params_.door_side_m, door.to_m - params_.door_side_m});
+  }
+  std::erase_if(open, [&](const Piece& gap) {
+    return is_closed({point_on(wall, gap.from_m), point_on(wall, gap.to_m)});
+  });
+  std::ranges::stable_sort(open, {}, &Piece::from_m);
   std::vector<Piece> pieces;
   for (const Piece& piece : wall.pieces) {
-    double from_m = piece.from_m;
-    for (const Piece& gap : gaps_between(wall.heard, piece)) {
-      if (!is_closed({point_on(wall, gap.from_m), point_on(wall, gap.to_m)})) {
-        pieces.push_back({from_m, gap.from_m});
-        from_m = gap.to_m;
-      }
-    }
-    pieces.push_back({from_m, piece.to_m});
+    const auto left = gaps_between(open, piece);
+    pieces.insert(pieces.end(), left.begin(), left.end());
   }
-  std::erase_if(pieces, [](const Piece& piece) { return piece.to_m <= piece.from_m; });
   return pieces;
 }
 

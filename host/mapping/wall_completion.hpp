@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "host/geometry/segment.hpp"
+#include "host/mapping/door_evidence.hpp"
 #include "host/mapping/sonar_surfaces.hpp"
 #include "host/mapping/surface_matching.hpp"
 
@@ -37,6 +38,10 @@ struct WallCompletionParams {
   /// Ends are told from a wall where they are at least so much farther off than the foot would be:
   /// 2 sigma of the mean of a few echoes and the wall's own place, to each side of the middle.
   double told_apart_m = 0.04;
+  DoorEvidenceParams doors;
+  /// Of a door that echoes leave room for, so much to each side stays wall: where it is is not
+  /// known better.
+  double door_side_m = 0.1;
 };
 
 /// How much farther off than the foot of the perpendicular the nearer end of a gap is; 0 where the

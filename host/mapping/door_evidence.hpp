@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "host/mapping/surface_matching.hpp"
+
+namespace echomap::mapping {
+
+/// When what stops have heard of a wall leaves room for a door in it. Ours, chosen in simulated
+/// rooms.
+struct DoorEvidenceParams {
+  /// Doors that are asked for, along the wall from step to step: a narrow one. Of a wider one less
+  /// is heard.
+  double door_m = 0.7;
+  double step_m = 0.05;
+  /// Of a stop's range to a wall against where all stops together have it.
+  double range_stddev_m = 0.009;
+  /// A wall is sure there from these odds on, as a natural logarithm.
+  double sure_log_odds = 1.5;
+  /// Where a wall was heard beyond the beam's edges, so much of it fits in no door.
+  double max_sure_m = 0.1;
+  /// Doors that are told apart.
+  double apart_m = 0.35;
+};
+
+/// By how much what was heard speaks for wall there, not for a door: the log-likelihood ratio of
+/// the echoes of stops before it. A wall answers from the foot of the perpendicular, a door from
+/// the nearer side of its frame, which is as far off where the foot is beside it.
+double wall_log_odds(const MatchedWall& wall,
+                     const MatchedWall::Piece& door,
+                     const DoorEvidenceParams& params);
+
+/// The likeliest doors in the pieces of a wall, of those that echoes leave room for although some
+/// stop has its foot there.
+std::vector<MatchedWall::Piece> doors_left_by_echoes(const MatchedWall& wall,
+                                                     const DoorEvidenceParams& params);
+
+}  // namespace echomap::mapping
