@@ -196,6 +196,16 @@ void warn_of_previous_maps(const pipeline::RobotAtlas& atlas) {
   }
 }
 
+/// The floor that the largest of the maps has that were set aside and not joined.
+double previous_floor_m2(const RobotContext& robot) {
+  double largest_m2 = 0.0;
+  for (const pipeline::PreviousMap& previous : robot.atlas().previous_maps()) {
+    const auto coverage = coverage_of(previous.pipeline.snapshot(), robot.profile());
+    largest_m2 = std::max(largest_m2, coverage ? coverage->seen_m2 : 0.0);
+  }
+  return largest_m2;
+}
+
 RunEnding ending_of_exploration(const RobotContext& robot,
                                 const std::optional<FinishReason>& reason,
                                 const std::optional<exploration::Coverage>& coverage,
@@ -209,6 +219,10 @@ RunEnding ending_of_exploration(const RobotContext& robot,
                             : ending_of(session.end().value_or(session::SessionEnd::kLinkLost),
                                         session.end_reason(),
                                         next);
+  if (coverage) {
+    ending =
+        with_previous_map(std::move(ending), previous_floor_m2(robot), coverage->seen_m2, next);
+  }
   const auto found = robot.diagnosis();
   return found ? with_fault(std::move(ending), advice_of(found->fault, robot.profile())) : ending;
 }

@@ -189,6 +189,22 @@ RunEnding ending_of(FinishReason reason,
              : RunEnding{outcome, ExitCode::kUnfinished, why, next.go_on};
 }
 
+RunEnding with_previous_map(RunEnding ending,
+                            double previous_m2,
+                            double seen_m2,
+                            const NextCommands& next) {
+  if (previous_m2 > seen_m2) {
+    ending.why +=
+        fmt::format("; but an earlier map, which could not be joined to it, has {:.1f} m² of floor",
+                    previous_m2);
+    if (ending.finished()) {
+      ending.code = ExitCode::kUnfinished;
+      ending.next = next.go_on;
+    }
+  }
+  return ending;
+}
+
 RunEnding ending_of(session::SessionEnd end, const std::string& reason, const NextCommands& next) {
   constexpr std::string_view kNext = "\n  next: ";
   const auto at = reason.find(kNext);

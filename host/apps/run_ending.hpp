@@ -62,6 +62,13 @@ RunEnding ending_of(exploration::FinishReason reason,
                     const std::optional<mapping::ExpectedWallError>& walls,
                     const NextCommands& next);
 
+/// The same where an earlier map of the run, of so much floor, could not be joined to its last one
+/// of `seen_m2`: the last map is not all where the earlier one has more.
+RunEnding with_previous_map(RunEnding ending,
+                            double previous_m2,
+                            double seen_m2,
+                            const NextCommands& next);
+
 /// Of an exploration whose session has ended before its strategy, for that reason.
 RunEnding ending_of(session::SessionEnd end, const std::string& reason, const NextCommands& next);
 

@@ -83,6 +83,17 @@ TEST(RunEnding, NamesTheWallsThatMayBeDoors) {
   EXPECT_EQ(told.possible_doors.front(), (std::array{1.5, 1.0, 1.0}));
 }
 
+TEST(RunEnding, IsUnfinishedWhereAnEarlierMapHasMore) {
+  const RunEnding last = ending_of(FinishReason::kComplete, coverage(7.0, 0.1), {}, kNext);
+  ASSERT_TRUE(last.finished());
+  EXPECT_EQ(with_previous_map(last, 0.0, 7.0, kNext).why, last.why);
+  EXPECT_TRUE(with_previous_map(last, 6.0, 7.0, kNext).finished()) << "it is all in the last";
+  const RunEnding ending = with_previous_map(last, 60.0, 7.0, kNext);
+  EXPECT_EQ(ending.code, ExitCode::kUnfinished);
+  EXPECT_THAT(ending.why, HasSubstr("an earlier map, which could not be joined to it, has 60.0"));
+  EXPECT_EQ(ending.next, kNext.go_on);
+}
+
 TEST(RunEnding, OfAStrategyThatCallsHalfARoomCompleteIsUnfinished) {
   const RunEnding ending = ending_of(FinishReason::kComplete, coverage(6.0, 6.0), {}, kNext);
   EXPECT_EQ(ending.code, ExitCode::kUnfinished);
