@@ -108,18 +108,25 @@ double behind_unobserved_m2(const RasterMap& map,
   return area_m2;
 }
 
-/// What may be a door, as far as any stop could tell.
+/// What may be a door, as far as any stop could tell; each once, the widest first.
 std::vector<geometry::Segment> doors_left(const RasterMap& map,
                                           const CellValues<char>& is_reached,
                                           const pipeline::Snapshot& snapshot,
                                           const CoverageParams& params) {
   auto doors =
       possible_doors(map, snapshot.features->unheard, views_of(*snapshot.scans), params.doors);
-  std::erase_if(doors, [&](const geometry::Segment& door) {
-    return !can_stand_before({door}, map, is_reached, params.costs);
-  });
   std::ranges::stable_sort(doors, std::ranges::greater{}, &geometry::Segment::length_m);
-  return doors;
+  std::vector<geometry::Segment> left;
+  for (const geometry::Segment& door : doors) {
+    const auto is_same = [&](const geometry::Segment& other) {
+      return (before_m({other}, 0.0) - before_m({door}, 0.0)).norm() < params.doors.apart_m;
+    };
+    if (can_stand_before({door}, map, is_reached, params.costs) &&
+        std::ranges::none_of(left, is_same)) {
+      left.push_back(door);
+    }
+  }
+  return left;
 }
 
 /// The pieces of it that count for something.

@@ -106,7 +106,8 @@ TEST(CoverageOf, BehindAWallThatNobodyHasHeardFloorMayBe) {
 TEST(CoverageOf, WallsThatNoStopCouldTellFromDoorsAreNamed) {
   auto snapshot = room(wall_with_gap(1), nowhere);
   mapping::SonarFeatures features;
-  features.unheard = {{{-0.4, 1.0}, {-0.9, 1.0}},  // wide enough
+  features.unheard = {{{-0.4, 1.0}, {-0.9, 1.0}},    // wide enough
+                      {{-0.35, 1.0}, {-0.85, 1.0}},  // the same
                       {{-0.9, -1.0}, {0.2, -1.0}},
                       {{0.9, 1.0}, {0.5, 1.0}},    // too narrow
                       {{3.0, -0.5}, {3.0, 0.5}}};  // behind a gap that is too narrow for the robot
