@@ -29,8 +29,9 @@ double overlap_m(const Piece& one, double from_m, double to_m) {
 double wall_log_odds(const MatchedWall& wall, const Piece& door, const DoorEvidenceParams& params) {
   double log_odds = 0.0;
   for (const FootEcho& echo : wall.echoes) {
-    if (overlap_m(door, echo.foot_m - echo.right_m, echo.foot_m + echo.left_m) >
-        params.max_sure_m) {
+    if (echo.distance_m <= params.sure_distance_m &&
+        overlap_m(door, echo.foot_m - echo.right_m, echo.foot_m + echo.left_m) >
+            params.max_sure_m) {
       return std::numeric_limits<double>::infinity();
     }
     const double inside_m = std::min(echo.foot_m - door.from_m, door.to_m - echo.foot_m);

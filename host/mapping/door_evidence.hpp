@@ -17,9 +17,12 @@ struct DoorEvidenceParams {
   /// Of a stop's range to a wall against where all stops together have it.
   double range_stddev_m = 0.009;
   /// A wall is sure there from these odds on, as a natural logarithm.
-  double sure_log_odds = 1.5;
-  /// Where a wall was heard beyond the beam's edges, so much of it fits in no door.
+  double sure_log_odds = 0.5;
+  /// Where a wall was heard beyond the beam's edges, so much of it fits in no door; but for what
+  /// was heard from farther off than this: from there half a door is less than 6 cm longer, which
+  /// a region's readings do not tell (SonarSurfaceParams::max_longer_m).
   double max_sure_m = 0.1;
+  double sure_distance_m = 1.0;
   /// Doors that are told apart.
   double apart_m = 0.35;
 };

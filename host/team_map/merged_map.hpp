@@ -74,7 +74,7 @@ class MergedMapper {
     std::size_t scan = 0;
   };
 
-  /// Begins anew where other robots are in it, or one of them has fewer scans than before.
+  /// Starts again where other robots are in it, or one of them has fewer scans than before.
   void begin_with(const std::vector<MapShare>& shares);
 
   std::vector<std::string> robots_;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -31,12 +33,14 @@ class ProxyPipe {
     return chunks_.empty() ? std::nullopt : std::optional(chunks_.front().due);
   }
 
-  void read(Clock::duration delay) {
+  /// Asks for the delay after the bytes: what is sent after it was set is held for so long.
+  void read(const std::atomic<std::int64_t>& delay_ms) {
     std::array<char, kChunkBytes> bytes{};
     const ssize_t count = ::recv(from_, bytes.data(), bytes.size(), MSG_DONTWAIT);
     if (count > 0) {
       const auto size = static_cast<std::size_t>(count);
-      chunks_.push_back({Clock::now() + delay, {bytes.begin(), bytes.begin() + count}});
+      chunks_.push_back({Clock::now() + std::chrono::milliseconds(delay_ms),
+                         {bytes.begin(), bytes.begin() + count}});
       held_bytes_ += size;
     } else if (count == 0 || errno != EAGAIN) {
       has_ended_ = true;

@@ -176,7 +176,7 @@ class TcpProxy::Impl {
     for (ProxiedConnection& connection : connections_) {
       for (ProxyPipe& pipe : connection.pipes) {
         if (pipe.wants_bytes()) {
-          pipe.read(std::chrono::milliseconds(delay_ms_));
+          pipe.read(delay_ms_);
         }
         passed_bytes_ += pipe.write();
       }

@@ -54,6 +54,8 @@ TEST(DoorEvidence, AStopFarOffOrBesideTheFrameDoesNot) {
 TEST(DoorEvidence, SureWallFitsInNoDoor) {
   const DoorEvidenceParams params;
   EXPECT_TRUE(std::isinf(wall_log_odds(wall_heard_by({{1.6, 1.0, 0.0, 0.0, 0.3}}), kDoor, params)));
+  EXPECT_FALSE(std::isinf(wall_log_odds(wall_heard_by({{1.6, 1.7, 0.0, 0.0, 0.3}}), kDoor, params)))
+      << "from there the other side of the frame sounds alike";
   EXPECT_FALSE(
       std::isinf(wall_log_odds(wall_heard_by({{1.2, 1.0, 0.0, 0.3, 0.25}}), kDoor, params)));
 }
