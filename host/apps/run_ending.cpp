@@ -138,7 +138,7 @@ std::string text_of(const Coverage& coverage,
   if (!coverage.gaps.empty()) {
     text += "; " + text_of(coverage.gaps.front());
   }
-  if (!coverage.doors.empty()) {
+  if (coverage.share() >= kFinishedShare && !coverage.doors.empty()) {
     text += "; " + text_of_doors(coverage.doors);
   }
   return text;

@@ -78,6 +78,9 @@ TEST(RunEnding, NamesTheWallsThatMayBeDoors) {
   seen.doors.push_back({{4.0, 0.0}, {4.0, 0.5}});
   EXPECT_THAT(ending_of(FinishReason::kComplete, seen, {}, kNext).why,
               testing::EndsWith("may be a door, and 1 more"));
+  seen.unseen_m2 = 10.0;
+  EXPECT_THAT(ending_of(FinishReason::kComplete, seen, {}, kNext).why, Not(HasSubstr("door")))
+      << "it is unfinished anyway";
   const auto told = summary_of(seen);
   ASSERT_EQ(told.possible_doors.size(), 2U);
   EXPECT_EQ(told.possible_doors.front(), (std::array{1.5, 1.0, 1.0}));
