@@ -85,6 +85,7 @@ void Provenance::add(geometry::CellIndex cell, std::size_t robot) {
 
 void MergedMapper::begin_with(const std::vector<MapShare>& shares) {
   std::vector<std::string> robots;
+  robots.reserve(shares.size());
   for (const MapShare& share : shares) {
     robots.push_back(share.robot);
   }
