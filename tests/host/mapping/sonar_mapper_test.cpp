@@ -149,6 +149,9 @@ TEST(SonarMapper, RefusesParametersWithoutSense) {
   SonarMapperParams no_beam;
   no_beam.surfaces.beam_half_angle_rad = 0.0;
   EXPECT_THROW(SonarMapper{no_beam}, std::invalid_argument);
+  SonarMapperParams no_step;
+  no_step.features.completion.doors.step_m = 0.0;
+  EXPECT_THROW(SonarMapper{no_step}, std::invalid_argument);
   SonarMapperParams no_fade;
   no_fade.evidence.fade_m = 0.0;
   EXPECT_THROW(SonarMapper{no_fade}, std::invalid_argument);

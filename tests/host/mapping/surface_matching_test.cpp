@@ -170,12 +170,18 @@ TEST(SurfaceMatcher, FindsTheSameStopByStopAsAtOnce) {
   EXPECT_NEAR((matched.features[0].feature.value - table.value).norm(), 0.0, 0.01);
 }
 
-TEST(SurfaceMatcher, KeepsAFeatureThatWasPassedLongAgo) {
+/// The first seven of 40 stops in a row have seen the post.
+std::vector<ScanSurfaces> stops_past_a_post() {
   std::vector<ScanSurfaces> scans;
   for (int i = 0; i < 40; ++i) {
     scans.push_back(i < 7 ? stop_near_post(0.3 * i, 0.05 * (i % 3), 0.0)
                           : ScanSurfaces{{0.3 * i, 0.0}, {}, {}});
   }
+  return scans;
+}
+
+TEST(SurfaceMatcher, KeepsAFeatureThatWasPassedLongAgo) {
+  const std::vector<ScanSurfaces> scans = stops_past_a_post();
   SurfaceMatchingParams params;
   params.rematched_stops = 8;
   const auto matched = matched_one_by_one(scans, params);
@@ -184,11 +190,7 @@ TEST(SurfaceMatcher, KeepsAFeatureThatWasPassedLongAgo) {
 }
 
 TEST(SurfaceMatcher, FindsWhatIsFarFromTheLastOfSeveralNewStops) {
-  std::vector<ScanSurfaces> scans;
-  for (int i = 0; i < 40; ++i) {
-    scans.push_back(i < 7 ? stop_near_post(0.3 * i, 0.05 * (i % 3), 0.0)
-                          : ScanSurfaces{{0.3 * i, 0.0}, {}, {}});
-  }
+  const std::vector<ScanSurfaces> scans = stops_past_a_post();
   SurfaceMatchingParams params;
   params.rematched_stops = 8;
   std::vector<std::size_t> all(scans.size());
