@@ -49,17 +49,15 @@ void mark_faces(const SonarFeatures& features, double drawn_behind_m, CellField&
   }
 }
 
-/// Marks what round things enclose.
-void mark_insides(const SonarFeatures& features, CellField& solid) {
-  for (const FittedCircle& circle : features.circles) {
-    const CellIndex low = solid.cell_at(circle.center_m.array() - circle.radius_m);
-    const CellIndex high = solid.cell_at(circle.center_m.array() + circle.radius_m);
-    for (std::int32_t y = low.y; y <= high.y; ++y) {
-      for (std::int32_t x = low.x; x <= high.x; ++x) {
-        if (solid.holds({x, y}) &&
-            (solid.center_m({x, y}) - circle.center_m).norm() < circle.radius_m) {
-          solid[solid.index({x, y})] = kInside;
-        }
+/// Marks what a round thing encloses.
+void mark_inside(const FittedCircle& circle, CellField& solid) {
+  const CellIndex low = solid.cell_at(circle.center_m.array() - circle.radius_m);
+  const CellIndex high = solid.cell_at(circle.center_m.array() + circle.radius_m);
+  for (std::int32_t y = low.y; y <= high.y; ++y) {
+    for (std::int32_t x = low.x; x <= high.x; ++x) {
+      if (solid.holds({x, y}) &&
+          (solid.center_m({x, y}) - circle.center_m).norm() < circle.radius_m) {
+        solid[solid.index({x, y})] = kInside;
       }
     }
   }
@@ -249,6 +247,7 @@ void SonarMapper::update_floor(const SonarFeatures& before, const std::vector<st
 
 void SonarMapper::update_lone() {
   std::vector<std::vector<bool>> is_explained;
+  is_explained.reserve(surfaces_.size());
   for (const ScanSurfaces& scan : surfaces_) {
     is_explained.emplace_back(scan.surfaces.size(), false);
   }
@@ -275,7 +274,9 @@ void SonarMapper::update_lone() {
 
 OccupancyGrid SonarMapper::grid() const {
   CellField solid(evidence_.bounds(), params_.grid.resolution_m);
-  mark_insides(features_, solid);
+  for (const FittedCircle& circle : features_.circles) {
+    mark_inside(circle, solid);
+  }
   mark_faces(features_, params_.drawn_behind_m, solid);
   OccupancyGrid floor(params_.grid);
   // More than the whole range counts as that; equal neighbours are inserted faster.
