@@ -84,8 +84,14 @@ Motion Frontier::next(const pipeline::Snapshot& snapshot, MotionResult last) {
       return begin_sweep(snapshot, kAllRound);
     case Phase::kDriving:
       return drive_on(snapshot);
-    case Phase::kSensing:
     case Phase::kBackingOff:
+      if (is_beside_goal(snapshot.latest.T_map_robot)) {
+        // NOLINTNEXTLINE(bugprone-unchecked-optional-access): it is beside it
+        return begin_sweep(snapshot, goal_->view);
+      }
+      break;
+    case Phase::kSensing:
+    case Phase::kDeciding:
       break;
   }
   return decide(snapshot);
@@ -132,7 +138,7 @@ std::optional<Viewpoint> Frontier::goal() const {
 
 void Frontier::reconsider() {
   if (phase_ == Phase::kDriving || !goal_) {
-    phase_ = Phase::kBackingOff;
+    phase_ = Phase::kDeciding;
   }
 }
 
@@ -275,6 +281,13 @@ std::optional<Viewpoint> Frontier::choose_opening(const RasterMap& map,
   draw_disc(stepped, nearest->at_m, radius_m, {CellState::kUnknown}, CellState::kFree);
   navigator_.set_hypothetical_map(stepped, snapshot);
   return nearest;
+}
+
+/// Where the floor is open only because the robot stands there (CostGridParams::standing_m): a goal
+/// there would be chosen again, however often the robot is stopped before it.
+bool Frontier::is_beside_goal(const Pose2& T_map_robot) const {
+  return goal_ && goal_kind_ != IntentKind::kOpening &&
+         (goal_->at_m - T_map_robot.position_m()).norm() <= params_.navigator.costs.standing_m;
 }
 
 void Frontier::end_try_of_door() {

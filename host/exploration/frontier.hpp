@@ -72,7 +72,7 @@ class Frontier final : public Explorer {
   void reconsider();
 
  private:
-  enum class Phase : std::uint8_t { kStarting, kDriving, kSensing, kBackingOff };
+  enum class Phase : std::uint8_t { kStarting, kDriving, kSensing, kBackingOff, kDeciding };
   /// An opening that the robot was on the way to.
   struct TriedOpening {
     Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
@@ -94,6 +94,7 @@ class Frontier final : public Explorer {
                                const ViewGain& gain,
                                double min_gain_m2) const;
   void end_try_of_door();
+  bool is_beside_goal(const geometry::Pose2& T_map_robot) const;
   bool is_left_to_others(const Eigen::Vector2d& opening_m) const;
   bool has_enough(const pipeline::Snapshot& snapshot) const;
   std::optional<Viewpoint> choose_door(const mapping::RasterMap& map,

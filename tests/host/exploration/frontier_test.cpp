@@ -317,6 +317,18 @@ TEST(Frontier, BacksOffFromABumpAndGoesAnotherWay) {
   EXPECT_TRUE(turn != nullptr || std::abs(roll->turn_rad_per_s) > 0.1) << "straight into it again";
 }
 
+TEST(Frontier, LooksFromWhereItWasStoppedRightBeforeItsGoal) {
+  Frontier explorer({});
+  auto snapshot = told(open_room(), {});
+  first_move(explorer, snapshot);
+  ASSERT_TRUE(explorer.goal());
+  const Eigen::Vector2d goal_m = explorer.goal()->at_m;
+  snapshot.latest.T_map_robot = Pose2(goal_m.x() - 0.07, goal_m.y(), 0.0);
+  ASSERT_TRUE(std::holds_alternative<Drive>(explorer.next(snapshot, MotionResult::kBumped)));
+  snapshot.latest.T_map_robot = Pose2(goal_m.x() - 0.17, goal_m.y(), 0.0);
+  EXPECT_TRUE(std::holds_alternative<BeginScan>(explorer.next(snapshot, MotionResult::kReached)));
+}
+
 TEST(Frontier, TakesAContactThatNoMotionToldForABump) {
   Frontier explorer({});
   auto snapshot = told(open_room(), {});
