@@ -237,9 +237,10 @@ ExitCode run_fleet_status(const FleetStatusOptions& options);
 
 /// `echomap fleet map`: the map that a fleet has made so far.
 struct FleetMapOptions {
-  std::filesystem::path as;    ///< Credentials of any member.
-  double listen_s = 5.0;       ///< How long it listens.
-  std::string robot;           ///< In whose frame; empty: that of the largest map.
+  std::filesystem::path as;  ///< Credentials of any member.
+  double listen_s = 5.0;     ///< How long it listens.
+  std::string of;            ///< In which robot's frame; empty: that of the largest map.
+  std::string robot = RunOptions().robot;  ///< Profile of that robot.
   std::filesystem::path out;   ///< Empty: a stamped folder below the user's data folder.
   std::filesystem::path json;  ///< Empty: none; "-": stdout.
   bool force = false;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "host/apps/stop_trajectory.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/team_map/calibrated_submaps.hpp"
 #include "host/team_map/merged_map.hpp"
@@ -21,19 +22,6 @@ using geometry::Pose2;
 constexpr double kWrongM = 0.5;
 constexpr double kWrongRad = 0.35;
 constexpr double kEnoughShare = 0.9;
-
-/// Where the robot was on its map when its stops ended.
-std::vector<pipeline::StampedPose> stop_ends(const std::vector<team_map::Submap>& submaps,
-                                             const std::vector<Pose2>& T_map_submaps) {
-  std::vector<pipeline::StampedPose> ends;
-  for (std::size_t i = 0; i < T_map_submaps.size(); ++i) {
-    const auto& readings = submaps[i].readings;
-    const Pose2 T_map_odom = T_map_submaps[i] * readings.front().mark.T_odom_robot.inverse();
-    ends.push_back(
-        {time::robot_time(submaps[i].end_s), T_map_odom * readings.back().mark.T_odom_robot});
-  }
-  return ends;
-}
 
 /// Places the map by all stops that the truth knows. Answers whether there is one.
 bool place_by_truth(const std::vector<pipeline::StampedPose>& ends,
@@ -196,12 +184,12 @@ std::optional<JudgedMap> judge_map(const team_map::RobotRecord& record,
   const std::vector<team_map::Submap>& submaps = calibrated.submaps();
   JudgedMap judged;
   judged.name = record.robot;
-  if (!place_by_truth(
-          stop_ends(submaps,
-                    {record.T_map_submaps.begin(),
-                     record.T_map_submaps.begin() + static_cast<std::ptrdiff_t>(stops)}),
-          truth,
-          judged)) {
+  if (!place_by_truth(trajectory_of(team_map::stop_ends(
+                          submaps,
+                          {record.T_map_submaps.begin(),
+                           record.T_map_submaps.begin() + static_cast<std::ptrdiff_t>(stops)})),
+                      truth,
+                      judged)) {
     return std::nullopt;
   }
   judged.last_m = record.T_map_submaps[stops - 1].position_m();

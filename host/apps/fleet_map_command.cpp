@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
 
 #include "host/apps/commands.hpp"
 #include "host/apps/fleet_map_files.hpp"
@@ -21,7 +21,7 @@ std::string chosen_map(const FleetMapOptions& options,
                        const fleet::FleetState& state,
                        const fleet_member::TeamPicture& picture) {
   const std::string status = "\n  next: echomap fleet status --as " + options.as.string();
-  if (options.robot.empty()) {
+  if (options.of.empty()) {
     const std::string largest = largest_map(picture);
     if (largest.empty()) {
       throw CommandError(ExitCode::kUnfinished, "the fleet has no map yet" + status);
@@ -30,12 +30,33 @@ std::string chosen_map(const FleetMapOptions& options,
   }
   for (const fleet::FleetRobot& robot : state.robots) {
     const std::string name = fleet_member::map_name(robot.name, robot.map_number);
-    if (robot.name == options.robot && picture.team().component_of(name) != nullptr) {
+    if (robot.name == options.of && picture.team().component_of(name) != nullptr) {
       return name;
     }
   }
   throw CommandError(ExitCode::kUnfinished,
-                     "nothing is known of a map of '" + options.robot + "'" + status);
+                     "nothing is known of a map of '" + options.of + "'" + status);
+}
+
+/// What is drawn and scored by the hull of the profile would be wrong for another robot.
+void warn_of_another_hull(const FleetMapOptions& options,
+                          const fleet::FleetState& state,
+                          const std::string& map,
+                          const session::RobotProfile& profile) {
+  constexpr double kSameM = 0.005;
+  for (const fleet::FleetRobot& robot : state.robots) {
+    const double told_m = robot.traits.body_radius_m;
+    if (map == fleet_member::map_name(robot.name, robot.map_number) && told_m > 0.0 &&
+        std::abs(told_m - profile.body_radius_m) > kSameM) {
+      spdlog::warn(
+          "{} has a hull of {:.0f} mm radius, profile '{}' one of {:.0f} mm: name its own by "
+          "--robot",
+          robot.name,
+          1e3 * told_m,
+          options.robot,
+          1e3 * profile.body_radius_m);
+    }
+  }
 }
 
 RunEnding ending_of(std::size_t joined,
@@ -66,6 +87,7 @@ RunEnding ending_of(std::size_t joined,
 }  // namespace
 
 ExitCode run_fleet_map(const FleetMapOptions& options) {
+  const auto profile = session::load_robot_profile(options.robot);
   const auto out = run_folder(options.out);
   prepare_outputs(out, options.json, options.force);
   FleetWatch watch(options.as);
@@ -75,6 +97,7 @@ ExitCode run_fleet_map(const FleetMapOptions& options) {
   fleet_member::TeamPicture picture;
   picture.take_with_joins(state);
   const std::string name = chosen_map(options, state, picture);
+  warn_of_another_hull(options, state, name, profile);
   const auto snapshot = team_snapshot(picture, name);
   exports::RunSummary summary;
   summary.echomap_version = ECHOMAP_VERSION;
@@ -85,7 +108,7 @@ ExitCode run_fleet_map(const FleetMapOptions& options) {
   }
   const RunEnding ending = ending_of(joined, maps, watch.missing_objects(), name, out, options);
   describe_ending(ending, summary);
-  save_team_map(*snapshot, session::load_robot_profile(RunOptions().robot), out, summary);
+  save_team_map(*snapshot, profile, out, summary);
   save_provenance(picture.team().merged(name), out / "provenance.csv");
   write_report(options.json, nlohmann::ordered_json::parse(exports::to_json_text(summary)));
   print_ending(ending);

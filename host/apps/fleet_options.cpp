@@ -150,7 +150,11 @@ void add_fleet_map(CLI::App& fleet, CommandAction& action) {
   const auto options = std::make_shared<FleetMapOptions>();
   add_as(*command, options->as);
   command->add_option(
-      "--of", options->robot, "Robot in whose frame it is; by default of the largest map");
+      "--of", options->of, "Robot in whose frame it is; by default of the largest map");
+  command
+      ->add_option(
+          "--robot", options->robot, "Profile of that robot: a bundled name or a TOML file")
+      ->capture_default_str();
   command->add_option("--listen-s", options->listen_s, "How long it listens, seconds")
       ->check(CLI::Range(0.1, 600.0))
       ->capture_default_str();

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/stop_trajectory.hpp"
 #include "host/console/interrupt.hpp"
 #include "host/fleet/exchange_params.hpp"
 #include "host/fleet_messages/topic.hpp"
@@ -54,7 +55,8 @@ std::optional<pipeline::Snapshot> team_snapshot(fleet_member::TeamPicture& pictu
   }
   const team_map::MergedMap& merged = picture.team().merged(map_name);
   pipeline::Snapshot snapshot;
-  snapshot.trajectory = std::make_shared<const std::vector<pipeline::StampedPose>>();
+  snapshot.trajectory = std::make_shared<const std::vector<pipeline::StampedPose>>(
+      trajectory_of(picture.team().stop_ends(map_name)));
   snapshot.points = std::make_shared<const mapping::PointCloudMap>();
   snapshot.landmarks = std::make_shared<const std::vector<pipeline::SeenLandmark>>();
   snapshot.last_scan = std::make_shared<const mapping::Scan>();

@@ -43,8 +43,8 @@ class FleetWatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The map of all that are joined to that map of a robot, in its frame, as a snapshot without a
-/// path; empty where nothing is known of it.
+/// The map of all that are joined to that map of a robot, in its frame, as a snapshot whose path
+/// has one pose for each of its stops; empty where nothing is known of it.
 std::optional<pipeline::Snapshot> team_snapshot(fleet_member::TeamPicture& picture,
                                                 const std::string& map_name);
 

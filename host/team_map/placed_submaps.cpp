@@ -79,6 +79,17 @@ PlacedSubmaps placed(const std::vector<Submap>& submaps, const std::vector<Pose2
   return placed;
 }
 
+std::vector<StopEnd> stop_ends(const std::vector<Submap>& submaps,
+                               const std::vector<Pose2>& T_map_submaps) {
+  std::vector<StopEnd> ends;
+  for (std::size_t i = 0; i < T_map_submaps.size(); ++i) {
+    const auto& readings = submaps[i].readings;
+    const Pose2 T_map_odom = T_map_submaps[i] * readings.front().mark.T_odom_robot.inverse();
+    ends.push_back({submaps[i].end_s, T_map_odom * readings.back().mark.T_odom_robot});
+  }
+  return ends;
+}
+
 std::vector<Eigen::Vector2d> positions_m(const std::vector<Pose2>& poses) {
   std::vector<Eigen::Vector2d> positions_m;
   positions_m.reserve(poses.size());

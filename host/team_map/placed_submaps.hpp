@@ -30,6 +30,16 @@ struct PlacedSubmaps {
 PlacedSubmaps placed(const std::vector<Submap>& submaps,
                      const std::vector<geometry::Pose2>& T_map_submaps);
 
+/// Where the robot was when a stop ended.
+struct StopEnd {
+  double stamp_s = 0.0;  ///< On the robot's clock.
+  geometry::Pose2 T_map_robot;
+};
+
+/// One of each submap, placed by the robot's pose at the first reading of each.
+std::vector<StopEnd> stop_ends(const std::vector<Submap>& submaps,
+                               const std::vector<geometry::Pose2>& T_map_submaps);
+
 /// Where the robot's centre was.
 std::vector<Eigen::Vector2d> positions_m(const std::vector<geometry::Pose2>& poses);
 

@@ -309,27 +309,45 @@ std::optional<RelativePose> TeamMap::relative_pose(const std::string& own,
 }
 
 const MergedMap& TeamMap::merged(const std::string& robot) {
-  const TeamComponent* component = component_of(robot);
-  if (component == nullptr) {
-    throw std::out_of_range("nothing is known of robot '" + robot + "'");
-  }
+  const TeamComponent& component = known_component_of(robot);
   if (const auto made = merged_.find(robot); made != merged_.end()) {
     return made->second;
   }
-  const Pose2 T_map_team = component->T_team_maps[find_in(*component, robot).value()].inverse();
+  const auto T_map_submaps = this->T_map_submaps(robot);
   std::vector<MapShare> shares;
-  for (std::size_t i = 0; i < component->robots.size(); ++i) {
-    const RobotMap& map = robots_.at(component->robots[i]);
-    std::vector<Pose2> T_map_submaps;
-    for (const Pose2& T_team_submap : component->T_team_submaps[i]) {
-      T_map_submaps.push_back(T_map_team * T_team_submap);
-    }
-    shares.push_back({map.robot(), map.body_radius_m(), placed(map.submaps(), T_map_submaps)});
+  for (std::size_t i = 0; i < component.robots.size(); ++i) {
+    const RobotMap& map = robots_.at(component.robots[i]);
+    shares.push_back({map.robot(), map.body_radius_m(), placed(map.submaps(), T_map_submaps[i])});
   }
   mapping::SonarMapperParams params = params_.mapper;
   params.surfaces.beam_half_angle_rad = robots_.at(robot).beam_half_angle_rad();
   MergedMapper& mapper = mappers_.try_emplace(robot, params).first->second;
   return merged_.emplace(robot, mapper.merge(shares)).first->second;
+}
+
+std::vector<StopEnd> TeamMap::stop_ends(const std::string& robot) const {
+  const std::size_t own = find_in(known_component_of(robot), robot).value();
+  return team_map::stop_ends(robots_.at(robot).submaps(), T_map_submaps(robot)[own]);
+}
+
+const TeamComponent& TeamMap::known_component_of(const std::string& robot) const {
+  const TeamComponent* component = component_of(robot);
+  if (component == nullptr) {
+    throw std::out_of_range("nothing is known of robot '" + robot + "'");
+  }
+  return *component;
+}
+
+std::vector<std::vector<Pose2>> TeamMap::T_map_submaps(const std::string& robot) const {
+  const TeamComponent& component = known_component_of(robot);
+  const Pose2 T_map_team = component.T_team_maps[find_in(component, robot).value()].inverse();
+  std::vector<std::vector<Pose2>> T_map_submaps = component.T_team_submaps;
+  for (std::vector<Pose2>& poses : T_map_submaps) {
+    for (Pose2& pose : poses) {
+      pose = T_map_team * pose;
+    }
+  }
+  return T_map_submaps;
 }
 
 }  // namespace echomap::team_map

@@ -13,6 +13,7 @@
 #include "host/team_map/join_tree.hpp"
 #include "host/team_map/map_join.hpp"
 #include "host/team_map/merged_map.hpp"
+#include "host/team_map/placed_submaps.hpp"
 #include "host/team_map/robot_map.hpp"
 #include "host/team_map/submap.hpp"
 #include "host/team_map/team_graph.hpp"
@@ -109,6 +110,8 @@ class TeamMap {
   /// The map of a robot's component, in the frame of that robot's map where it stood last; made
   /// when it is asked for. Throws std::out_of_range for a robot of which nothing is known.
   const MergedMap& merged(const std::string& robot);
+  /// Where that robot was when its stops ended, on that map. Throws std::out_of_range as `merged`.
+  std::vector<StopEnd> stop_ends(const std::string& robot) const;
 
   const JoinCounts& counts() const { return counts_; }
 
@@ -122,6 +125,9 @@ class TeamMap {
   /// All that holds now, told poses among them; they outweigh all others.
   std::vector<MapLink> links() const;
   std::vector<TeamComponent> connected() const;
+  const TeamComponent& known_component_of(const std::string& robot) const;
+  /// Of each robot of its component, where its submaps are on that robot's map.
+  std::vector<std::vector<geometry::Pose2>> T_map_submaps(const std::string& robot) const;
   void align(TeamComponent& component) const;
   bool has_news(const TeamComponent& component) const;
   std::vector<TeamRelation> relations_in(const TeamComponent& component) const;

@@ -88,11 +88,15 @@ TEST_F(Fleet, IsSeenRecordedAndDrawnByThoseWhoLookOn) {
       run(with({"fleet", "status", "--json=" + (scratch / "status.json").string()}));
   EXPECT_EQ(status.status, 0) << status.said;
   EXPECT_EQ(json::parse(files::read_text_file(scratch / "status.json"))["robots"].size(), 2U);
-  const Ended map = run(with({"fleet", "map", "--out=" + (scratch / "map").string()}));
+  const Ended map =
+      run(with({"fleet", "map", "--of=robot0", "--out=" + (scratch / "map").string()}));
   EXPECT_TRUE(map.status == 0 || map.status == kUnfinished) << map.said;
   EXPECT_TRUE(exists(scratch / "map/map.png"));
   fleet.send(SIGTERM);
   EXPECT_EQ(fleet.wait().status, 130);
+  const Ended scored = run(
+      {"eval", (scratch / "map").string(), "--truth=" + (scratch / "run/truth/robot0").string()});
+  EXPECT_EQ(scored.status, 0) << scored.said;
 }
 
 TEST_F(Fleet, SearchesASourceTogetherAndEndsWhenOneIsSure) {

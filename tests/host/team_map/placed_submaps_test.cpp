@@ -24,6 +24,20 @@ TEST(PlacedSubmaps, PlacesReadingsByThePoseOfTheFirst) {
   EXPECT_EQ(reading.range_m, record.submaps[1].readings[10].range_m);
 }
 
+TEST(PlacedSubmaps, SayWhereTheRobotWasWhenItsStopsEnded) {
+  RobotRecord record =
+      tests::told_record("a", tests::room_of_posts(), {{0.0, 0.0}, {0.6, 0.0}}, 0.0);
+  const Pose2 turned_at_stop(0.0, 0.0, radians(30.0));
+  auto& readings = record.submaps[1].readings;
+  readings.back().mark.T_odom_robot = readings.front().mark.T_odom_robot * turned_at_stop;
+  const auto ends = stop_ends(record.submaps, {Pose2(), Pose2(2.0, 1.6, radians(90.0))});
+  ASSERT_EQ(ends.size(), 2U);
+  EXPECT_EQ(ends[1].stamp_s, record.submaps[1].end_s);
+  EXPECT_NEAR(ends[1].T_map_robot.x_m(), 2.0, 1e-9);
+  EXPECT_NEAR(ends[1].T_map_robot.y_m(), 1.6, 1e-9);
+  EXPECT_NEAR(ends[1].T_map_robot.heading_rad(), radians(120.0), 1e-9);
+}
+
 /// Odometry says 0.6 m straight on, SLAM has the second stop 0.1 m farther and to the left.
 TEST(PlacedSubmaps, SpreadsWhatOdometryIsOffOverTheWay) {
   RobotRecord record =

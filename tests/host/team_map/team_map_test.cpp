@@ -40,6 +40,7 @@ TEST_F(TeamMapTest, HasEachRobotForItselfAtFirst) {
   EXPECT_FALSE(team.relative_pose("a", "nobody"));
   EXPECT_EQ(team.component_of("nobody"), nullptr);
   EXPECT_THROW(team.merged("nobody"), std::out_of_range);
+  EXPECT_THROW(team.stop_ends("nobody"), std::out_of_range);
   EXPECT_FALSE(team.update()) << "nothing was told since";
 }
 
@@ -59,6 +60,12 @@ TEST_F(TeamMapTest, JoinsTwoThatHaveSeenTheSameRoom) {
   EXPECT_EQ(team.counts().undone, 0U);
   EXPECT_EQ(team.merged("b").robots.size(), 2U);
   EXPECT_EQ(team.merged("a").scans->size(), 16U);
+  const auto ends = team.stop_ends("b");
+  ASSERT_EQ(ends.size(), 8U) << "its own";
+  EXPECT_NEAR((ends.back().T_map_robot.position_m() - b.T_map_submaps.back().position_m()).norm(),
+              0.0,
+              0.01)
+      << "its map is where it stood last";
 }
 
 TEST_F(TeamMapTest, IsAFunctionOfWhatItWasTold) {
