@@ -159,6 +159,9 @@ Motion Frontier::decide(const pipeline::Snapshot& snapshot) {
   if (phase_ == Phase::kSensing) {
     loops_.add_stop(snapshot);
     navigator_.forget_failures();
+    if (snapshot.last_scan_fault == mapping::ScanFault::kElsewhere) {
+      refused_m_.push_back(snapshot.latest.T_map_robot.position_m());
+    }
   }
   const Pose2& T_map_robot = snapshot.latest.T_map_robot;
   const pipeline::Snapshot known = with_company(snapshot, company_);
@@ -214,7 +217,11 @@ std::optional<Viewpoint> Frontier::choose_door(const RasterMap& map,
 std::optional<Viewpoint> Frontier::choose_look(const RasterMap& map,
                                                const pipeline::Snapshot& snapshot,
                                                double min_gain_m2) {
-  ViewGain gain(map, views_of(*snapshot.scans), snapshot.features->unobserved, params_.gain);
+  std::vector<PastView> views = views_of(*snapshot.scans);
+  for (const Eigen::Vector2d& place_m : refused_m_) {
+    views.push_back({place_m, 0.0, 0.0});
+  }
+  ViewGain gain(map, views, snapshot.features->unobserved, params_.gain);
   std::vector<Viewpoint> weighed = weigh(map, snapshot, gain, min_gain_m2);
   if (!company_.promised.empty()) {
     for (const PromisedLook& promised : company_.promised) {

@@ -117,6 +117,9 @@ class Frontier final : public Explorer {
   IntentKind goal_kind_ = IntentKind::kSweep;
   std::vector<WeighedPlace> weighed_;  ///< With the goal.
   std::vector<TriedOpening> openings_;
+  /// Where it has looked, and heard what contradicts the map: another place tells whether it is
+  /// lost, the same one would say the same again.
+  std::vector<Eigen::Vector2d> refused_m_;
   std::optional<Eigen::Vector2d> door_m_;  ///< That it drives to, to look at it.
   std::vector<Eigen::Vector2d> tried_doors_m_;
 };

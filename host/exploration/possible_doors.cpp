@@ -27,6 +27,13 @@ bool can_tell(const RasterMap& map,
   return bearing_rad && view.covers(*bearing_rad);
 }
 
+/// Whether the map has the floor behind it, so that there is nothing to find out.
+bool is_passed(const RasterMap& map, const Segment& door) {
+  constexpr double kBehindCells = 2.0;
+  const Eigen::Vector2d behind_m = before_m({door}, -kBehindCells * map.resolution_m());
+  return map.state(map.cell_at(behind_m)) == mapping::CellState::kFree;
+}
+
 /// The distance at which the ends of a wall, seen from before its middle, are `told_apart_m`
 /// farther off than the wall.
 double telling_distance_m(const Segment& wall, const PossibleDoorParams& params) {
@@ -67,9 +74,10 @@ std::vector<Segment> possible_doors(const RasterMap& map,
                                     const std::vector<Segment>& unheard,
                                     const std::vector<PastView>& views,
                                     const PossibleDoorParams& params) {
+  constexpr double kRoundingM = 1e-3;
   std::vector<Segment> doors;
   for (const Segment& wall : unheard) {
-    if (wall.length_m() >= params.min_width_m &&
+    if (wall.length_m() >= params.min_width_m - kRoundingM && !is_passed(map, wall) &&
         std::none_of(views.begin(), views.end(), [&](const PastView& view) {
           return can_tell(map, view, wall, params);
         })) {

@@ -29,8 +29,9 @@ struct PossibleDoorParams {
   double apart_m = 0.3;
 };
 
-/// Of the stretches of wall that no stop has heard at right angles, the floor to the left of each,
-/// those that may be doors for all that the views have told.
+/// Of the stretches of wall that no stop has heard at right angles, and gaps in walls, the floor to
+/// the left of each, those that may be doors for all that the views have told: what lies behind
+/// them is unknown.
 std::vector<geometry::Segment> possible_doors(const mapping::RasterMap& map,
                                               const std::vector<geometry::Segment>& unheard,
                                               const std::vector<PastView>& views,

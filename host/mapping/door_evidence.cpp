@@ -24,6 +24,12 @@ double overlap_m(const Piece& one, double from_m, double to_m) {
   return std::min(one.to_m, to_m) - std::max(one.from_m, from_m);
 }
 
+/// Student's t but for a constant: an echo that neither a wall nor a door explains tells little.
+double log_likelihood(double error_m, const DoorEvidenceParams& params) {
+  const double dof = params.range_degrees_of_freedom;
+  return -0.5 * (dof + 1.0) * std::log1p(geometry::square(error_m / params.range_scale_m) / dof);
+}
+
 }  // namespace
 
 double wall_log_odds(const MatchedWall& wall, const Piece& door, const DoorEvidenceParams& params) {
@@ -37,8 +43,8 @@ double wall_log_odds(const MatchedWall& wall, const Piece& door, const DoorEvide
     const double inside_m = std::min(echo.foot_m - door.from_m, door.to_m - echo.foot_m);
     if (inside_m > 0.0) {
       const double frame_m = std::hypot(inside_m, echo.distance_m) - echo.distance_m;
-      log_odds += (geometry::square(echo.longer_m - frame_m) - geometry::square(echo.longer_m)) /
-                  (2.0 * geometry::square(params.range_stddev_m));
+      log_odds +=
+          log_likelihood(echo.longer_m, params) - log_likelihood(echo.longer_m - frame_m, params);
     }
   }
   return log_odds;

@@ -14,8 +14,10 @@ struct DoorEvidenceParams {
   /// is heard.
   double door_m = 0.7;
   double step_m = 0.05;
-  /// Of a stop's range to a wall against where all stops together have it.
-  double range_stddev_m = 0.009;
+  /// Student's t of a stop's range to a wall against where all stops together have it. Of 681
+  /// simulated ranges 68 % were within 1.2 cm, 98 % within 3.6 cm.
+  double range_scale_m = 0.0115;
+  double range_degrees_of_freedom = 4.0;
   /// A wall is sure there from these odds on, as a natural logarithm.
   double sure_log_odds = 0.5;
   /// Where a wall was heard beyond the beam's edges, so much of it fits in no door; but for what

@@ -34,6 +34,18 @@ MatchedWall left_of(const MatchedWall& wall, const std::vector<MatchedWall::Piec
   return left;
 }
 
+/// The gaps that are left between the pieces of a wall, but for those of which nothing is known.
+std::vector<MatchedWall::Piece> open_gaps(const MatchedWall& wall, double max_m) {
+  std::vector<MatchedWall::Piece> gaps;
+  for (std::size_t i = 1; i < wall.pieces.size(); ++i) {
+    const MatchedWall::Piece gap{wall.pieces[i - 1].to_m, wall.pieces[i].from_m};
+    if (gap.to_m > gap.from_m && gap.to_m - gap.from_m <= max_m) {
+      gaps.push_back(gap);
+    }
+  }
+  return gaps;
+}
+
 /// Whether most of a feature's sightings run through walls.
 bool is_image(const MatchedFeature& feature,
               const std::vector<ScanSurfaces>& scans,
@@ -129,6 +141,8 @@ SonarFeatures sonar_features(const MatchedSurfaces& matched,
     const auto doors = doors_left_by_echoes(completed[i], params.completion.doors);
     auto& pieces = unheard.back().pieces;
     pieces.insert(pieces.end(), doors.begin(), doors.end());
+    const auto gaps = open_gaps(completed[i], params.completion.bridged_m);
+    pieces.insert(pieces.end(), gaps.begin(), gaps.end());
   }
   SonarFeatures features{segments_of(completed), {}, segments_of(unobserved), segments_of(unheard)};
   double max_radius_m = 0.0;

@@ -41,8 +41,8 @@ struct SonarFeatures {
   std::vector<FittedCircle> circles;
   /// Stretches of the walls that nobody has heard: gaps that were closed. The floor is to the left.
   std::vector<geometry::Segment> unobserved = {};
-  /// Those, what no stop has had an answer from at right angles, and where a door's frame may be
-  /// what has answered (door_evidence).
+  /// Those, what no stop has had an answer from at right angles, where a door's frame may be what
+  /// has answered (door_evidence), and gaps that are open.
   std::vector<geometry::Segment> unheard = {};
 };
 

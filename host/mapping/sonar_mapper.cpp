@@ -158,8 +158,10 @@ SonarMapper::SonarMapper(const SonarMapperParams& params)
       .positive("features.completion.told_apart_m", params.features.completion.told_apart_m)
       .positive_finite("features.completion.doors.door_m", params.features.completion.doors.door_m)
       .positive_finite("features.completion.doors.step_m", params.features.completion.doors.step_m)
-      .positive_finite("features.completion.doors.range_stddev_m",
-                       params.features.completion.doors.range_stddev_m)
+      .positive_finite("features.completion.doors.range_scale_m",
+                       params.features.completion.doors.range_scale_m)
+      .positive_finite("features.completion.doors.range_degrees_of_freedom",
+                       params.features.completion.doors.range_degrees_of_freedom)
       .positive_finite("floor.max_range_m", params.floor.max_range_m)
       .positive("floor.max_gap_rad", params.floor.max_gap_rad)
       .at_least("floor.looks_half_angle_rad", params.floor.looks_half_angle_rad, 0.0)

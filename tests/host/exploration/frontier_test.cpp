@@ -329,6 +329,23 @@ TEST(Frontier, LooksFromWhereItWasStoppedRightBeforeItsGoal) {
   EXPECT_TRUE(std::holds_alternative<BeginScan>(explorer.next(snapshot, MotionResult::kReached)));
 }
 
+TEST(Frontier, LooksFromAnotherPlaceWhereAScanContradictedItsMap) {
+  auto snapshot = told(open_room(), {});
+  for (const auto fault : {mapping::ScanFault::kNone, mapping::ScanFault::kElsewhere}) {
+    Frontier explorer({});
+    snapshot.latest.T_map_robot = {};
+    snapshot.last_scan_fault = mapping::ScanFault::kNone;
+    const Pose2 first = end_of_path(explorer, first_move(explorer, snapshot), snapshot);
+    snapshot.latest.T_map_robot = first;
+    snapshot.last_scan_fault = fault;
+    stop_of(explorer, snapshot);
+    const Motion motion = explorer.next(snapshot, MotionResult::kReached);
+    const bool looks_again = std::holds_alternative<BeginScan>(motion);
+    EXPECT_EQ(looks_again, fault == mapping::ScanFault::kNone) << "its map has nothing of it yet";
+    EXPECT_TRUE(looks_again || (explorer.goal()->at_m - first.position_m()).norm() > 0.2);
+  }
+}
+
 TEST(Frontier, TakesAContactThatNoMotionToldForABump) {
   Frontier explorer({});
   auto snapshot = told(open_room(), {});

@@ -18,17 +18,28 @@ using mapping::RasterMap;
 /// The wall x = 2 from y = 0 to 0.6, its floor at smaller x.
 const geometry::Segment kWall{{2.0, 0.0}, {2.0, 0.6}};
 
+/// Free floor that ends with it.
+RasterMap floor_to_wall() {
+  RasterMap map = tests::free_floor();
+  for (int y = 0; y < map.rows(); ++y) {
+    for (int x = map.cell_at({2.0 + 1e-6, 0.0}).x; x < map.columns(); ++x) {
+      map.set({x, y}, CellState::kUnknown);
+    }
+  }
+  return map;
+}
+
 PastView all_round_from(double x_m, double y_m) { return {{x_m, y_m}, 0.0, std::numbers::pi}; }
 
 TEST(PossibleDoors, AreWideEnoughAndToldByNobody) {
-  const RasterMap map = tests::free_floor();
+  const RasterMap map = floor_to_wall();
   EXPECT_EQ(possible_doors(map, {kWall}, {}, {}).size(), 1U);
   EXPECT_TRUE(possible_doors(map, {{{2.0, 0.0}, {2.0, 0.45}}}, {}, {}).empty()) << "too narrow";
   EXPECT_TRUE(possible_doors(map, {kWall}, {all_round_from(1.5, 0.3)}, {}).empty());
 }
 
 TEST(PossibleDoors, AreToldOnlyFromNearAndBeforeThem) {
-  const RasterMap map = tests::free_floor();
+  const RasterMap map = floor_to_wall();
   for (const PastView& view : {all_round_from(0.5, 0.3),   // ends and wall are as far as each other
                                all_round_from(1.8, 0.05),  // too near to one end
                                all_round_from(1.5, 0.8),   // beside it
@@ -36,6 +47,10 @@ TEST(PossibleDoors, AreToldOnlyFromNearAndBeforeThem) {
                                PastView{{1.5, 0.3}, std::numbers::pi, 0.5}}) {  // it looked away
     EXPECT_EQ(possible_doors(map, {kWall}, {view}, {}).size(), 1U) << view.from_m.transpose();
   }
+}
+
+TEST(PossibleDoors, AreNoneWhereTheFloorBehindIsKnown) {
+  EXPECT_TRUE(possible_doors(tests::free_floor(), {kWall}, {}, {}).empty());
 }
 
 TEST(NearestDoorStand, IsBeforeTheNearestDoorAndNotTwiceTheSame) {

@@ -48,8 +48,17 @@ TEST(DoorEvidence, AStopFarOffOrBesideTheFrameTellsLittle) {
   const auto log_odds = [&](double foot_m, double distance_m) {
     return wall_log_odds(wall_heard_by({{foot_m, distance_m, 0.0, 0.0, 0.0}}), kDoor, params);
   };
-  EXPECT_LT(log_odds(1.75, 3.0), 0.1 * log_odds(1.75, 0.6));
+  EXPECT_LT(log_odds(1.75, 3.0), 0.25 * log_odds(1.75, 0.6));
   EXPECT_LT(std::abs(log_odds(1.5, 1.0)), params.sure_log_odds);
+}
+
+TEST(DoorEvidence, AnEchoThatNeitherExplainsOutweighsNoneThatSpeaksForADoor) {
+  const FootEcho short_echo{1.59, 1.92, -0.024, 0.0, 0.0};
+  const auto log_odds = [](std::vector<FootEcho> echoes) {
+    return wall_log_odds(wall_heard_by(std::move(echoes)), kDoor, {});
+  };
+  EXPECT_GT(log_odds({short_echo}), 0.0) << "a door's would be longer yet";
+  EXPECT_LT(log_odds({short_echo, echo_of_door(1.91, 1.39)}), DoorEvidenceParams{}.sure_log_odds);
 }
 
 TEST(DoorEvidence, SureWallFitsInNoDoor) {

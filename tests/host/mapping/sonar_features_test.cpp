@@ -44,6 +44,18 @@ TEST(SonarFeatures, KnowWhichStretchesOfAWallNobodyHasHeard) {
   EXPECT_NEAR((features.unobserved[0].to_m - Eigen::Vector2d(-0.1, 2.0)).norm(), 0.0, 1e-9);
 }
 
+TEST(SonarFeatures, NameGapsThatAreOpenAmongWhatMayBeADoor) {
+  MatchedWall wall = kMatchedWall;
+  wall.pieces = {{-2.0, -0.8}, {-0.1, 1.0}};
+  wall.heard = wall.pieces;
+  const std::vector<Eigen::Vector2d> through_it{{0.45, 1.8}, {0.45, 2.2}};
+  const auto features = features_of({{wall}, {kWallFeature}}, through_it);
+  ASSERT_EQ(features.walls.size(), 2U);
+  ASSERT_EQ(features.unheard.size(), 1U);
+  EXPECT_NEAR((features.unheard[0].from_m - Eigen::Vector2d(0.8, 2.0)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((features.unheard[0].to_m - Eigen::Vector2d(0.1, 2.0)).norm(), 0.0, 1e-9);
+}
+
 TEST(SonarFeatures, KnowTheRimOfACircleWhereStopsHaveLooked) {
   const auto features = features_of({{}, {round_at(0.5, 1.0, 0.2)}});
   ASSERT_EQ(features.circles.size(), 1U);
