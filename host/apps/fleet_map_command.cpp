@@ -22,14 +22,14 @@ std::string chosen_map(const FleetMapOptions& options,
                        const fleet_member::TeamPicture& picture) {
   const std::string status = "\n  next: echomap fleet status --as " + options.as.string();
   if (options.of.empty()) {
-    const std::string largest = largest_map(picture);
+    std::string largest = largest_map(picture);
     if (largest.empty()) {
       throw CommandError(ExitCode::kUnfinished, "the fleet has no map yet" + status);
     }
     return largest;
   }
   for (const fleet::FleetRobot& robot : state.robots) {
-    const std::string name = fleet_member::map_name(robot.name, robot.map_number);
+    std::string name = fleet_member::map_name(robot.name, robot.map_number);
     if (robot.name == options.of && picture.team().component_of(name) != nullptr) {
       return name;
     }
@@ -108,6 +108,7 @@ ExitCode run_fleet_map(const FleetMapOptions& options) {
   }
   const RunEnding ending = ending_of(joined, maps, watch.missing_objects(), name, out, options);
   describe_ending(ending, summary);
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): chosen_map answers one that is known
   save_team_map(*snapshot, profile, out, summary);
   save_provenance(picture.team().merged(name), out / "provenance.csv");
   write_report(options.json, nlohmann::ordered_json::parse(exports::to_json_text(summary)));

@@ -299,7 +299,8 @@ bool Frontier::is_beside_goal(const Pose2& T_map_robot) const {
 
 void Frontier::end_try_of_door() {
   if (door_m_) {
-    tried_doors_m_.push_back(*std::exchange(door_m_, std::nullopt));
+    tried_doors_m_.push_back(*door_m_);
+    door_m_.reset();
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host/exploration/unobserved_walls.hpp"
+#include "host/geometry/angle.hpp"
 
 namespace echomap::exploration {
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <string>
@@ -57,7 +58,24 @@ class Demo : public ::testing::TestWithParam<Variant> {
 };
 
 /// What every board has to show.
-class ScoredDemo : public Demo {};
+class ScoredDemo : public Demo {
+ protected:
+  /// Of the run of seed 1 and, where a run takes no longer than that of the mock, of two more: one
+  /// map in six was turned by 2.6 degrees.
+  double median_wall_rmse_m(const nlohmann::json& first_report) {
+    std::vector<double> errors_m{first_report.at("wall_rmse_m")};
+    if (std::string(GetParam().name) == "mock") {
+      for (const std::string seed : {"2", "3"}) {
+        const auto json_path = scratch / ("report" + seed + ".json");
+        const Ended ended = run("run" + seed, {"--seed=" + seed, "--json=" + json_path.string()});
+        EXPECT_EQ(ended.status, 0) << ended.said;
+        errors_m.push_back(nlohmann::json::parse(read_text_file(json_path)).at("wall_rmse_m"));
+      }
+    }
+    std::ranges::sort(errors_m);
+    return errors_m[errors_m.size() / 2];
+  }
+};
 
 /// With the bounds of `bench_bringup --check`, which judges medians of many seeds.
 TEST_P(ScoredDemo, EndsByItselfAndScoresItsMap) {
@@ -89,7 +107,7 @@ TEST_P(ScoredDemo, EndsByItselfAndScoresItsMap) {
   }
   EXPECT_EQ(report.at("outcome"), "complete");
   EXPECT_GE(report.at("free_iou"), 0.85);
-  EXPECT_LE(report.at("wall_rmse_m"), 0.06);
+  EXPECT_LE(median_wall_rmse_m(report), 0.06);
   const auto summary = nlohmann::json::parse(read_text_file(scratch / "run/summary.json"));
   EXPECT_GT(summary.at("expected_wall_rmse_m"), 0.0);
   EXPECT_LT(summary.at("expected_wall_rmse_m"), summary.at("wall_rmse_p90_m"));
