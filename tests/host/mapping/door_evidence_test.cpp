@@ -49,6 +49,7 @@ TEST(DoorEvidence, AStopFarOffOrBesideTheFrameTellsLittle) {
     return wall_log_odds(wall_heard_by({{foot_m, distance_m, 0.0, 0.0, 0.0}}), kDoor, params);
   };
   EXPECT_LT(log_odds(1.75, 3.0), 0.25 * log_odds(1.75, 0.6));
+  EXPECT_LT(log_odds(1.75, 3.0), 2.0);
   EXPECT_LT(std::abs(log_odds(1.5, 1.0)), params.sure_log_odds);
 }
 
