@@ -18,8 +18,9 @@ struct DoorEvidenceParams {
   /// simulated ranges 68 % were within 1.3 cm, 98 % within 3.5 cm.
   double range_scale_m = 0.0115;
   double range_degrees_of_freedom = 4.0;
-  /// A wall is sure there from these odds on, as a natural logarithm.
-  double sure_log_odds = 0.5;
+  /// A wall is sure there from these odds on, as a natural logarithm. Two stops have spoken for
+  /// wall where there was a door with up to 2.3.
+  double sure_log_odds = 2.5;
   /// Where a wall was heard beyond the beam's edges, so much of it fits in no door; but for what
   /// was heard from farther off than this: from there half a door is less than 6 cm longer, which
   /// a region's readings do not tell (SonarSurfaceParams::max_longer_m).

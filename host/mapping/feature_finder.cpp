@@ -10,7 +10,7 @@ FeatureFinder::FeatureFinder(std::vector<Sighting> sightings,
                              FeatureContradiction contradiction,
                              const SurfaceMatchingParams& params)
     : sightings_(std::move(sightings)),
-      taken_(sightings_.size(), false),
+      gate_(sightings_, params.range_tolerance_m),
       contradiction_(std::move(contradiction)),
       params_(params) {
   for (std::size_t i = 0; i < sightings_.size(); ++i) {
@@ -68,15 +68,15 @@ std::optional<SupportedFeature> FeatureFinder::take_best() {
   return std::nullopt;
 }
 
-void FeatureFinder::gather(Proposal& proposal) const {
+void FeatureFinder::gather(Proposal& proposal) {
   proposal.supporters.clear();
   proposal.support = 0.0;
   const FeatureGauge gauge(proposal.feature, params_);
   std::size_t scan = std::numeric_limits<std::size_t>::max();
   double best_m = 0.0;
   double best_weight = 0.0;
-  for (std::size_t i = 0; i < sightings_.size(); ++i) {
-    const auto misfit_m = taken_[i] ? std::nullopt : gauge.misfit_m(sightings_[i]);
+  for (const std::size_t i : gate_.passing(proposal.feature)) {
+    const auto misfit_m = gauge.misfit_m(sightings_[i]);
     if (!misfit_m) {
       continue;
     }
@@ -128,7 +128,7 @@ SupportedFeature FeatureFinder::take(Proposal proposal) {
     proposal = before;
   }
   for (const std::size_t index : proposal.supporters) {
-    taken_[index] = true;
+    gate_.close(index);
   }
   return {proposal.feature, sightings_of(proposal)};
 }

@@ -10,6 +10,7 @@
 #include "host/mapping/echo_feature.hpp"
 #include "host/mapping/feature_contradiction.hpp"
 #include "host/mapping/feature_support.hpp"
+#include "host/mapping/range_gate.hpp"
 
 namespace echomap::mapping {
 
@@ -43,13 +44,13 @@ class FeatureFinder {
   void propose(const Sighting& first, const Sighting& second);
   void add_proposal(const EchoFeature& feature, const Sighting& first, const Sighting& second);
   /// Collects, of each scan, the sighting that fits best.
-  void gather(Proposal& proposal) const;
+  void gather(Proposal& proposal);
   double penalty(const Proposal& proposal) const;
   std::vector<Sighting> sightings_of(const Proposal& proposal) const;
   SupportedFeature take(Proposal proposal);
 
   std::vector<Sighting> sightings_;
-  std::vector<bool> taken_;
+  RangeGate gate_;  ///< Closed to sightings that support a feature.
   FeatureContradiction contradiction_;
   const SurfaceMatchingParams& params_;
   std::vector<Proposal> proposals_;

@@ -83,9 +83,13 @@ class TcpProxy::Impl {
   std::size_t passed_bytes() const { return passed_bytes_; }
   std::size_t connections_made() const { return connections_made_; }
   void set_delay(std::chrono::milliseconds delay) { delay_ms_ = delay.count(); }
+  /// Returns when no byte is passed on in the former way any more.
   void set(Passing passing) {
     passing_ = passing;
     wake();
+    for (Passing now = applied_; now != passing; now = applied_) {
+      applied_.wait(now);
+    }
   }
 
  private:
@@ -97,10 +101,12 @@ class TcpProxy::Impl {
   void run() {
     while (!is_ended_) {
       wait();
+      applied_ = passing_.load();
+      applied_.notify_all();
       accept();
-      if (passing_ == Passing::kCut) {
+      if (applied_ == Passing::kCut) {
         reset_all();
-      } else if (passing_ == Passing::kOpen) {
+      } else if (applied_ == Passing::kOpen) {
         pass();
       }
     }
@@ -141,7 +147,7 @@ class TcpProxy::Impl {
       if (client < 0) {
         return;
       }
-      if (passing_ == Passing::kCut) {
+      if (applied_ == Passing::kCut) {
         reset_at_close(client);
         ::close(client);
       } else {
@@ -193,6 +199,8 @@ class TcpProxy::Impl {
   std::list<ProxiedConnection> connections_;
   std::atomic<std::int64_t> delay_ms_ = 0;
   std::atomic<Passing> passing_ = Passing::kOpen;
+  /// What the thread goes by.
+  std::atomic<Passing> applied_ = Passing::kOpen;
   std::atomic<bool> is_ended_ = false;
   std::atomic<std::size_t> passed_bytes_ = 0;
   std::atomic<std::size_t> connections_made_ = 0;

@@ -50,6 +50,7 @@ TEST(DoorEvidence, AStopFarOffOrBesideTheFrameTellsLittle) {
   };
   EXPECT_LT(log_odds(1.75, 3.0), 0.25 * log_odds(1.75, 0.6));
   EXPECT_LT(log_odds(1.75, 3.0), 2.0);
+  EXPECT_LT(log_odds(1.75, 3.0), params.sure_log_odds);
   EXPECT_LT(std::abs(log_odds(1.5, 1.0)), params.sure_log_odds);
 }
 
