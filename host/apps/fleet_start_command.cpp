@@ -16,6 +16,7 @@
 #include "host/apps/explore_run.hpp"
 #include "host/apps/fleet_map_files.hpp"
 #include "host/apps/fleet_page.hpp"
+#include "host/apps/fleet_progress.hpp"
 #include "host/apps/fleet_score.hpp"
 #include "host/apps/fleet_watch.hpp"
 #include "host/apps/report.hpp"
@@ -178,12 +179,13 @@ class Members {
   std::vector<std::optional<int>> statuses_;
 };
 
-/// Shows the fleet while its members go on.
+/// Shows the fleet, and says how far it is, while its members go on.
 void look_on(Members& members,
              broker::Broker& broker,
              FleetWatch& watch,
              fleet_member::TeamPicture& picture,
              FleetPage& page) {
+  FleetProgressPrinter progress;
   double next_look_s = 0.0;
   bool is_interrupted = false;
   while (members.go_on()) {
@@ -201,8 +203,10 @@ void look_on(Members& members,
     }
     if (watch.now_s() >= next_look_s) {
       const fleet::FleetState state = watch.state();
+      const std::string first_map = latest_map(state, members.names().front());
       picture.take_with_joins(state);
-      page.show(watch.now_s(), state, picture, latest_map(state, members.names().front()));
+      page.show(watch.now_s(), state, picture, first_map);
+      progress.print(progress_of(state, picture, first_map));
       next_look_s = watch.now_s() + 0.5;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -367,6 +371,7 @@ ExitCode run_fleet_start(const FleetStartOptions& options) {
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));
   if (const auto snapshot = team_snapshot(picture, map)) {
     save_fleet_map(*snapshot, picture.team().merged(map), profile, out, summary);
+    console::print("map: " + (out / "team" / "map.png").string());
     report["fleet"] = fleet_report(members.names(), watch, picture, out);
   }
   report["fleet"]["exits"] = members.exits();
