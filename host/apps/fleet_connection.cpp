@@ -2,6 +2,8 @@
 #include "host/apps/fleet_connection.hpp"
 
 #include <chrono>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <thread>
 
@@ -10,6 +12,7 @@
 
 #include "host/apps/commands.hpp"
 #include "host/console/interrupt.hpp"
+#include "host/fleet_messages/refused_reason.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -24,6 +27,8 @@ FleetConnection connect_to_fleet(const std::filesystem::path& credentials,
   FleetConnection fleet{broker::read_credentials(credentials), nullptr};
   mqtt::ConnectionParams params = broker::connection_params(fleet.credentials);
   params.will = will;
+  // Robots that lost the broker together do not come back at the same instant.
+  params.seed = static_cast<std::uint32_t>(std::hash<std::string>{}(fleet.credentials.user));
   fleet.bus = std::make_unique<mqtt::Connection>(params);
   const auto end = std::chrono::steady_clock::now() + kBrokerPatience;
   while (true) {
@@ -49,6 +54,23 @@ FleetConnection connect_to_fleet(const std::filesystem::path& credentials,
       throw CommandError(ExitCode::kInterrupted, "interrupted");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+std::map<std::string, std::size_t> refused_by_reason(const fleet::ReceptionStatistics& statistics) {
+  std::map<std::string, std::size_t> refused;
+  for (std::size_t i = 0; i < statistics.refused.size(); ++i) {
+    if (statistics.refused[i] > 0) {
+      refused[std::string(name_of(static_cast<fleet_messages::RefusedReason>(i)))] =
+          statistics.refused[i];
+    }
+  }
+  return refused;
+}
+
+void warn_of_refused(const fleet::ReceptionStatistics& statistics) {
+  for (const auto& [reason, count] : refused_by_reason(statistics)) {
+    spdlog::warn("{} messages of the fleet were refused: {}", count, reason);
   }
 }
 

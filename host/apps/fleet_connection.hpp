@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "host/broker/credentials.hpp"
+#include "host/fleet/exchange_statistics.hpp"
 #include "host/mqtt/connection.hpp"
 
 namespace echomap::apps {
@@ -31,5 +35,11 @@ class ConnectionNews {
   bool is_connected_ = true;
   mqtt::Reason refused_ = mqtt::Reason::kNone;
 };
+
+/// Messages of a fleet that were refused, by the names of their reasons; only what there was.
+std::map<std::string, std::size_t> refused_by_reason(const fleet::ReceptionStatistics& statistics);
+
+/// Warns of them, if any.
+void warn_of_refused(const fleet::ReceptionStatistics& statistics);
 
 }  // namespace echomap::apps

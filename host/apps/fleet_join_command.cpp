@@ -227,14 +227,21 @@ std::size_t part(FleetMember& member,
   return rounds == nullptr ? member.fleet().unconfirmed() : 0;
 }
 
-/// How a run has ended of which the others do not know all.
-void add_untold(std::size_t untold, RunEnding& ending) {
+/// How a run has ended of which the others do not know all, or would not if the broker lost it.
+void add_untold(std::size_t untold, const FleetMember& member, RunEnding& ending) {
   if (untold > 0) {
     ending.why += fmt::format("; the broker has not taken {} messages of it", untold);
-    if (ending.code == ExitCode::kOk) {
-      ending.code = ExitCode::kUnfinished;
-      ending.outcome = "untold";
-    }
+  }
+  if (member.unsendable_stops() > 0) {
+    ending.why += fmt::format("; {} stops were too large to be sent", member.unsendable_stops());
+  }
+  if (const std::size_t unsaved = member.fleet().statistics().unsaved; unsaved > 0) {
+    ending.why += fmt::format("; {} messages could not be kept in its folder", unsaved);
+  }
+  const bool is_known = untold + member.unsendable_stops() == 0;
+  if (!is_known && ending.code == ExitCode::kOk) {
+    ending.code = ExitCode::kUnfinished;
+    ending.outcome = "untold";
   }
 }
 
@@ -313,7 +320,8 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   if (search) {
     ending = report_on_team_search(member, *search, ending, explore, report);
   }
-  add_untold(untold, ending);
+  add_untold(untold, member, ending);
+  warn_of_refused(member.fleet().statistics().received);
   report["outcome"] = ending.outcome;
   report["why"] = ending.why;
   end_recording(robot, report, out);

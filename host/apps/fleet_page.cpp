@@ -143,9 +143,9 @@ void FleetPage::show(double time_s,
   }
   if (picture.team().component_of(map_name) != nullptr) {
     const auto& grid = picture.team().merged(map_name).grid;
-    if (grid.get() != grid_) {
+    if (grid != grid_) {
       publisher_->map().look_at(time_s, *grid);
-      grid_ = grid.get();
+      grid_ = grid;
     }
   }
   live_page::TeamState team;

@@ -53,7 +53,7 @@ class FleetPage {
   std::unique_ptr<live_page::PageServer> server_;
   /// By the name of a robot's own map, some centimetres apart.
   std::map<std::string, std::vector<Eigen::Vector2d>> trails_m_;
-  const mapping::OccupancyGrid* grid_ = nullptr;
+  std::shared_ptr<const mapping::OccupancyGrid> grid_;  ///< That is shown.
   std::optional<live_page::TeamSource> source_;
   std::optional<std::uint64_t> source_revision_;  ///< Of the fleet's state.
   double sourced_s_ = 0.0;

@@ -53,9 +53,11 @@ std::vector<std::string> robot_names(std::size_t robots) {
   return names;
 }
 
-/// What a member that dies would leave of a run before this one.
+/// What a member that dies would leave of a run before this one, and what the broker has kept of
+/// its robots: they had the same names, and begin to count anew.
 void forget_earlier_run(const fs::path& out, const std::vector<std::string>& robots) {
   fs::remove_all(out / "truth");
+  fs::remove_all(out / "broker" / "store");
   for (const std::string& robot : robots) {
     fs::remove(out / robot / "summary.json");
     fs::remove(out / robot / "source.json");
@@ -130,6 +132,19 @@ class Members {
              status != static_cast<int>(ExitCode::kUnfinished);
     });
   }
+  /// Whether one has ended of which the fleet has never heard: the others would wait for its first
+  /// round.
+  bool has_lost_one_unheard(const fleet::FleetState& state) const {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      const bool is_heard = std::ranges::any_of(state.robots, [&](const auto& robot) {
+        return robot.name == names_[i] && robot.is_heard;
+      });
+      if (statuses_[i] && !is_heard) {
+        return true;
+      }
+    }
+    return false;
+  }
   /// Those that did not get what they were asked for: "robot1 (exit 8)".
   std::vector<std::string> unfinished() const {
     std::vector<std::string> unfinished;
@@ -203,6 +218,10 @@ void look_on(Members& members,
     }
     if (watch.now_s() >= next_look_s) {
       const fleet::FleetState state = watch.state();
+      if (!is_interrupted && members.has_lost_one_unheard(state)) {
+        is_interrupted = true;
+        members.interrupt();
+      }
       const std::string first_map = latest_map(state, members.names().front());
       picture.take_with_joins(state);
       page.show(watch.now_s(), state, picture, first_map);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/fleet_connection.hpp"
 #include "host/apps/fleet_watch.hpp"
 #include "host/apps/report.hpp"
 #include "host/console/print.hpp"
@@ -96,12 +97,14 @@ ExitCode run_fleet_status(const FleetStatusOptions& options) {
                                         state.robots.size(),
                                         state.objects,
                                         fleet_messages::hex(state.object_set)));
+  warn_of_refused(watch.statistics());
   write_report(options.json,
                {{"fleet", watch.fleet()},
                 {"robots", robots},
                 {"objects", state.objects},
                 {"object_set", fleet_messages::hex(state.object_set)},
-                {"messages_heard", watch.statistics().messages}});
+                {"messages_heard", watch.statistics().messages},
+                {"messages_refused", refused_by_reason(watch.statistics())}});
   return is_empty ? ExitCode::kUnfinished : ExitCode::kOk;
 }
 

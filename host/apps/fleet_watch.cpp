@@ -32,7 +32,7 @@ std::vector<mqtt::Message> FleetWatch::listen() {
 }
 
 void FleetWatch::require_own_account() const {
-  if (connection_.bus->reason() == mqtt::Reason::kTakenOver) {
+  if (connection_.bus->was_taken_over()) {
     throw CommandError(ExitCode::kRuntimeError,
                        "somebody else has connected as " + connection_.credentials.user +
                            "\n  next: use the credentials of nobody else, as watch.toml of the "

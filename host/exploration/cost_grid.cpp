@@ -97,8 +97,8 @@ template <class Change>
 void CostGrid::change_around(const Eigen::Vector2d& at_m, double radius_m, Change change) {
   const CellIndex low = cell_at(at_m.array() - radius_m);
   const CellIndex high = cell_at(at_m.array() + radius_m);
-  for (std::int32_t y = low.y; y <= high.y; ++y) {
-    for (std::int32_t x = low.x; x <= high.x; ++x) {
+  for (std::int32_t y = std::max(low.y, 0); y <= std::min(high.y, rows_ - 1); ++y) {
+    for (std::int32_t x = std::max(low.x, 0); x <= std::min(high.x, columns_ - 1); ++x) {
       if (is_open({x, y}) && (center_m({x, y}) - at_m).norm() <= radius_m) {
         change(costs_[index({x, y})]);
       }

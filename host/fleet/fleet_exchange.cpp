@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -39,18 +40,6 @@ PresenceMessage presence_like(const FleetExchangeParams& params, PresenceState s
   PresenceMessage message = fleet_messages::with_traits({}, params.traits).value();
   message.state = static_cast<std::uint8_t>(state);
   return message;
-}
-
-/// Of which map a message is, of those that are kept for others.
-std::optional<std::uint16_t> map_number_of(const MessageBody& body) {
-  return std::visit(
-      []<class M>(const M& message) -> std::optional<std::uint16_t> {
-        if constexpr (requires { message.map_number; }) {
-          return message.map_number;
-        }
-        return std::nullopt;
-      },
-      body);
 }
 
 const FleetExchangeParams& checked(const FleetExchangeParams& params) {
@@ -202,8 +191,9 @@ void FleetExchange::take_in() {
   for (const HeardAsk& heard : knowledge_.take_asks()) {
     answer(heard);
   }
+  constexpr std::uint32_t kLastBoot = std::numeric_limits<std::uint32_t>::max();
   if (knowledge_.kept_boot_id() > params_.boot_id) {
-    begin_later_boot(knowledge_.kept_boot_id() + 1);
+    begin_later_boot(knowledge_.kept_boot_id() + (knowledge_.kept_boot_id() < kLastBoot ? 1 : 0));
   }
 }
 
@@ -231,7 +221,7 @@ bool FleetExchange::adopt(const FleetTopic& topic,
   } else {
     publications_.restore(topic, message.body, payload, Worth::kGraph);
   }
-  const auto number = map_number_of(message.body);
+  const auto number = fleet_messages::map_number_of(message.body);
   if (number && *number >= map_number_ && !has_own_submap_) {
     map_number_ = static_cast<std::uint16_t>(*number + 1);
   }

@@ -119,6 +119,10 @@ void FleetKnowledge::take_foreign(const TopicMessage& decoded,
     ++statistics_.ignored_relays;
     return;
   }
+  if (!has_room_for(said)) {
+    refuse(RefusedReason::kOverQuota);
+    return;
+  }
   const std::string topic =
       is_relayed
           ? fleet_messages::format_topic(fleet_messages::topic_of(fleet_, said, message.payload))
@@ -136,6 +140,7 @@ void FleetKnowledge::take_foreign(const TopicMessage& decoded,
     stored[topic] = {kind, said.sender.boot_id, message.payload, now_s};
   }
   RobotKnowledge& author = knowledge_of(said.sender.robot);
+  author.note_boot(said.sender.boot_id);
   if (message.is_retained && !is_relayed) {
     author.hear_of(now_s);
   } else if (!is_relayed) {
@@ -157,7 +162,9 @@ void FleetKnowledge::take_new(const FleetMessage& message, const ContentHash& ha
     }
   }
   if (const auto* ask = std::get_if<fleet_messages::AskMessage>(&message.body)) {
-    asks_.push_back({message.sender.robot, *ask});
+    if (!robot_.empty()) {
+      asks_.push_back({message.sender.robot, *ask});
+    }
     return;
   }
   if (fleet_messages::is_object(fleet_messages::kind_of(message.body))) {
@@ -244,6 +251,12 @@ bool FleetKnowledge::accepts_relay(const FleetMessage& message,
   const auto author = robots_.find(message.sender.robot);
   return is_passed_on(fleet_messages::kind_of(message.body)) &&
          (!is_alive(message.sender.robot, now_s) || author->second.has_promised(hash));
+}
+
+bool FleetKnowledge::has_room_for(const FleetMessage& message) const {
+  const auto author = robots_.find(message.sender.robot);
+  return author == robots_.end() ? robots_.size() < kMaxRobots
+                                 : author->second.has_room_for(message.body);
 }
 
 void FleetKnowledge::refuse(RefusedReason reason) {

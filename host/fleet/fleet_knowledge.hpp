@@ -32,6 +32,9 @@ constexpr bool is_passed_on(fleet_messages::TopicKind kind) {
          kind == TopicKind::kGraph || fleet_messages::is_object(kind);
 }
 
+/// Robots that a fleet may have: a site has up to 50, and one of them may invent others.
+inline constexpr std::size_t kMaxRobots = 256;
+
 /// What a robot asks for.
 struct HeardAsk {
   std::string from;
@@ -109,6 +112,7 @@ class FleetKnowledge {
   bool accepts_relay(const fleet_messages::FleetMessage& message,
                      const fleet_messages::ContentHash& hash,
                      double now_s) const;
+  bool has_room_for(const fleet_messages::FleetMessage& message) const;
   void refuse(fleet_messages::RefusedReason reason);
 
   std::string fleet_;

@@ -53,8 +53,6 @@ class FleetRounds final : public mqtt::MessageBus {
   /// Serves the bus. True when the round that this robot has ended last is over: then take() has
   /// its messages. `wall_s` is of a clock that does not go back.
   bool poll(double wall_s);
-  /// The robot's process has ended: nobody waits for it.
-  void remove_member(const std::string& robot) { living_.erase(robot); }
 
   /// The round that goes on, or that was ended last and is not over.
   std::uint32_t round() const { return round_; }

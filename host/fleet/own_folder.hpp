@@ -26,7 +26,7 @@ class OwnFolder {
   bool save(const std::string& name, const std::string& payload) const;
 
   std::filesystem::path path_;
-  std::size_t saved_ = 0;  ///< Files that there are: an object's number is not used again.
+  std::size_t next_object_ = 0;  ///< An object's number is not used again.
 };
 
 }  // namespace echomap::fleet

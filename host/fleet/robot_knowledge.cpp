@@ -29,6 +29,7 @@ bool RobotKnowledge::take(const fleet_messages::MessageBody& body,
                           const ContentHash& hash,
                           double now_s) {
   using namespace fleet_messages;
+  objects_ += is_object(kind_of(body)) ? 1 : 0;
   if (const auto* submap = std::get_if<SubmapMessage>(&body)) {
     return add(*submap, hash);
   }
@@ -54,6 +55,20 @@ bool RobotKnowledge::take(const fleet_messages::MessageBody& body,
     pages_[manifest->page] = manifest->objects;
   }
   return false;
+}
+
+bool RobotKnowledge::has_room_for(const fleet_messages::MessageBody& body) const {
+  using namespace fleet_messages;
+  if (const auto* manifest = std::get_if<ManifestMessage>(&body)) {
+    return manifest->page < kMaxObjectsOfARobot / ManifestMessage::kObjectsPerPage;
+  }
+  const auto map_number = map_number_of(body);
+  const bool makes_map =
+      map_number && (is_object(kind_of(body)) || kind_of(body) == TopicKind::kGraph);
+  if (makes_map && !maps_.contains(*map_number) && maps_.size() >= kMaxMapsOfARobot) {
+    return false;
+  }
+  return !is_object(kind_of(body)) || objects_ < kMaxObjectsOfARobot;
 }
 
 Attendance RobotKnowledge::attendance(double now_s, double gone_after_s) const {

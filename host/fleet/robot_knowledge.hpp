@@ -15,6 +15,11 @@
 
 namespace echomap::fleet {
 
+/// What a robot may make at most. It is a week of stops; without a bound one that repeats itself
+/// would take the memory of all.
+inline constexpr std::size_t kMaxObjectsOfARobot = 20'000;
+inline constexpr std::size_t kMaxMapsOfARobot = 256;
+
 /// What one robot has told, whoever passed it on.
 class RobotKnowledge {
  public:
@@ -28,6 +33,15 @@ class RobotKnowledge {
             const fleet_messages::ContentHash& hash,
             double now_s);
 
+  /// Something of that start of its host has come: what it said of a search before was of another.
+  void note_boot(std::uint32_t boot_id) {
+    if (boot_id > boot_id_) {
+      boot_id_ = boot_id;
+      search_.reset();
+    }
+  }
+  /// Whether that is within what a robot may make.
+  bool has_room_for(const fleet_messages::MessageBody& body) const;
   /// The robot itself has been heard.
   void hear(double now_s) {
     heard_s_ = now_s;
@@ -74,6 +88,8 @@ class RobotKnowledge {
   FleetMap shown(std::uint16_t number, const Map& map) const;
 
   std::string name_;
+  std::uint32_t boot_id_ = 0;
+  std::size_t objects_ = 0;  ///< With those of which another one is used.
   std::optional<double> heard_s_;
   bool is_heard_ = false;
   bool is_lost_ = false;

@@ -119,10 +119,13 @@ void FleetMember::tell_stops() {
     return;
   }
   poses.erase(poses.begin(), poses.end() - static_cast<std::ptrdiff_t>(submaps.size()));
-  if (exchange_.add_submap(submaps.back())) {
-    const auto covariance = robot_.atlas().pipeline().pose_estimate().covariance;
-    exchange_.set_graph(poses, covariance.value_or(Eigen::Matrix3d::Zero()));
+  if (!exchange_.add_submap(submaps.back())) {
+    ++unsendable_stops_;
+    recorder_->drop_last();
+    return;
   }
+  const auto covariance = robot_.atlas().pipeline().pose_estimate().covariance;
+  exchange_.set_graph(poses, covariance.value_or(Eigen::Matrix3d::Zero()));
 }
 
 void FleetMember::tell_pose(double now_s) {

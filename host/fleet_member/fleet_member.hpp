@@ -76,6 +76,8 @@ class FleetMember final : public SearchBoard {
   /// The map of all joined robots in its frame; null before its first stop.
   const team_map::MergedMap* merged();
   const fleet::FleetExchange& fleet() const { return exchange_; }
+  /// Stops that were too large to be sent: the others do not have them.
+  std::size_t unsendable_stops() const { return unsendable_stops_; }
   const JoinLog& joins() const { return joins_; }
 
  private:
@@ -106,6 +108,7 @@ class FleetMember final : public SearchBoard {
   fleet::FleetState state_;
   std::size_t told_stops_ = 0;   ///< Of the pipeline.
   std::size_t map_changes_ = 0;  ///< Of the atlas.
+  std::size_t unsendable_stops_ = 0;
   double next_exchange_s_ = 0.0;
 };
 

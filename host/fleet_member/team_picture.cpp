@@ -17,6 +17,10 @@ using team_exploration::Claim;
 using team_exploration::Peer;
 using team_exploration::TeamView;
 
+/// Where a robot is known no better than this, it is nowhere: to keep off by so much would close
+/// the floor, and to take no echo from there would blind.
+constexpr double kMaxPeerStddevM = 1.0;
+
 /// In the direction in which it is the largest.
 double position_stddev_m(const Eigen::Matrix3d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance.topLeftCorner<2, 2>(),
@@ -35,6 +39,9 @@ std::optional<Peer> peer_of(const FleetRobot& robot, const team_map::RelativePos
   peer.T_map_robot = relative.T_own_peer * robot.pose->estimate.T_map_robot;
   peer.position_stddev_m =
       std::hypot(relative.position_stddev_m, position_stddev_m(robot.pose->estimate.covariance));
+  if (!(peer.position_stddev_m <= kMaxPeerStddevM)) {
+    return std::nullopt;
+  }
   peer.radius_m = robot.traits.body_radius_m;
   peer.stays = robot.attendance == Attendance::kLeft;
   if (!peer.stays) {

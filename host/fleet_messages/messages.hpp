@@ -24,6 +24,8 @@ inline constexpr std::uint64_t kMaxStampMs = (std::uint64_t{1} << 48U) - 1;
 /// of them, so that a robot whose map lies on both sides of the earth would take the memory of all.
 inline constexpr std::int64_t kMaxSubmapReachMm = 30'000;
 inline constexpr std::int64_t kMaxMapReachMm = 100'000;
+/// So does a map of several robots.
+inline constexpr std::int64_t kMaxTeamReachMm = 2 * kMaxMapReachMm;
 
 /// Whether a pose is so near to another one, in x and in y.
 constexpr bool is_within(const PoseRow& pose, const PoseRow& middle, std::int64_t reach_mm) {
@@ -237,6 +239,13 @@ struct AlignmentMessage {
   static constexpr TopicKind kKind = TopicKind::kAlignment;
   std::vector<AlignedMapPart> maps;
   bool operator==(const AlignmentMessage&) const = default;
+
+  bool is_consistent() const {
+    const auto is_near = [](const PoseRow& pose) { return is_within(pose, {}, kMaxTeamReachMm); };
+    return std::ranges::all_of(maps, [&](const AlignedMapPart& map) {
+      return is_near(map.T_component_map) && std::ranges::all_of(map.T_component_submaps, is_near);
+    });
+  }
 
   template <class M, class V>
   static void fields(M& self, V& visit) {

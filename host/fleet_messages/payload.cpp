@@ -152,6 +152,17 @@ TopicKind kind_of(const MessageBody& body) {
   return std::visit([]<class M>(const M& /*message*/) { return M::kKind; }, body);
 }
 
+std::optional<std::uint16_t> map_number_of(const MessageBody& body) {
+  return std::visit(
+      []<class M>(const M& message) -> std::optional<std::uint16_t> {
+        if constexpr (requires { message.map_number; }) {
+          return message.map_number;
+        }
+        return std::nullopt;
+      },
+      body);
+}
+
 std::optional<std::string> encode(const FleetMessage& message) {
   const auto fields = fields_of(message.body);
   if (!fields) {

@@ -60,4 +60,7 @@ FleetTopic topic_of(const std::string& fleet,
 /// The kind of a message.
 TopicKind kind_of(const MessageBody& body);
 
+/// Of which map of its author a message is; empty where it is of none.
+std::optional<std::uint16_t> map_number_of(const MessageBody& body);
+
 }  // namespace echomap::fleet_messages

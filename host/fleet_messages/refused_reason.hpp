@@ -24,10 +24,11 @@ enum class RefusedReason : std::uint8_t {
   kForeignAuthor,     ///< The payload's author is not the robot whose topic it came on.
   kOldBoot,           ///< The author has started again since.
   kReplayed,          ///< A later message of the author has come before.
+  kOverQuota,         ///< The author has made more than a robot may, or the fleet has no room.
 };
 
 /// One more than the last of them.
-inline constexpr std::size_t kRefusedReasons = 15;
+inline constexpr std::size_t kRefusedReasons = 16;
 
 /// As it is counted in reports: "wrong_topic", "too_large" ..
 constexpr std::string_view name_of(RefusedReason reason) {
@@ -45,7 +46,8 @@ constexpr std::string_view name_of(RefusedReason reason) {
                                                         "wrong_hash",
                                                         "foreign_author",
                                                         "old_boot",
-                                                        "replayed"};
+                                                        "replayed",
+                                                        "over_quota"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 

@@ -346,6 +346,7 @@ void Connection::end(Clock::time_point now, Reason reason) {
   statistics_.failed_attempts += is_connected_ ? 0 : 1;
   is_connected_ = false;
   reason_ = reason;
+  was_taken_over_ = was_taken_over_ || reason == Reason::kTakenOver;
   client_.reset();
   outbox_.reset_sent();
   backoff_.note_failed(now);

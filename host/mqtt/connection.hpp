@@ -92,6 +92,8 @@ class Connection final : public MessageBus {
   void disconnect();
   /// Why there is no connection, or why the last one has ended.
   Reason reason() const { return reason_; }
+  /// Whether another client has ever connected as the same user.
+  bool was_taken_over() const { return was_taken_over_; }
   /// The message that was refused last.
   const std::optional<RefusedMessage>& last_refused() const { return last_refused_; }
   const ConnectionStatistics& statistics() const { return statistics_; }
@@ -136,6 +138,7 @@ class Connection final : public MessageBus {
   Reason reason_ = Reason::kNone;
   Reason told_reason_ = Reason::kNone;  ///< By the broker, of this connection.
   Clock::time_point begun_{};
+  bool was_taken_over_ = false;
   bool is_connected_ = false;
   bool has_ended_ = false;        ///< By the broker or the network, in a callback.
   bool is_disconnected_ = false;  ///< By disconnect().

@@ -30,11 +30,17 @@ bool RobotMap::take(RobotRecord record) {
   const std::size_t known = std::min(record.submaps.size(), record.T_map_submaps.size());
   record.submaps.resize(known);
   record.T_map_submaps.resize(known);
-  if (record.robot == record_.robot && known == record_.submaps.size() &&
+  const bool has_other_beam = record.beam_half_angle_rad != record_.beam_half_angle_rad;
+  if (record.robot == record_.robot && known == record_.submaps.size() && !has_other_beam &&
+      record.body_radius_m == record_.body_radius_m &&
       are_same(record.T_map_submaps, record_.T_map_submaps)) {
     return false;
   }
   record_ = std::move(record);
+  if (has_other_beam) {
+    mapper_.reset();
+    surfaces_.clear();
+  }
   calibrated_.take(record_.submaps);
   placed_ = team_map::placed(submaps(), record_.T_map_submaps);
   if (!mapper_) {

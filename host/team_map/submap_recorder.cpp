@@ -12,6 +12,9 @@ namespace echomap::team_map {
 namespace {
 
 constexpr double kWayStepM = 0.1;
+/// What lies farther from where the robot listened is left out of a submap, which may be sent only
+/// so large (fleet_messages/messages.hpp).
+constexpr double kMaxReachM = 29.0;
 
 double seconds(time::RobotTime stamp) {
   return std::chrono::duration<double>(stamp.time_since_epoch()).count();
@@ -103,6 +106,12 @@ void SubmapRecorder::finish_submap() {
   ended.index = static_cast<std::uint32_t>(submaps_.size());
   ended.end_s = seconds(*last_stamp_);
   open_.begin_s = ended.end_s;
+  const Eigen::Vector2d middle_m = ended.readings.front().mark.T_odom_robot.position_m();
+  const auto is_far = [&](const geometry::Pose2& T_odom_robot) {
+    return (T_odom_robot.position_m() - middle_m).norm() > kMaxReachM;
+  };
+  std::erase_if(ended.T_odom_way, is_far);
+  std::erase_if(ended.contacts, [&](const auto& contact) { return is_far(contact.T_odom_robot); });
   submaps_.push_back(std::move(ended));
 }
 

@@ -86,11 +86,6 @@ void TeamMap::believe(const std::string& robot,
   }
 }
 
-void TeamMap::see(const PeerSighting& sighting) {
-  sightings_.push_back(sighting);
-  changed_.push_back(sighting.robot);
-}
-
 bool TeamMap::update() {
   if (changed_.empty()) {
     return false;
@@ -260,20 +255,6 @@ std::vector<TeamRelation> TeamMap::relations_in(const TeamComponent& component) 
                            T_robot_submap.inverse() * relative.T_own_peer * T_peer_submap,
                            relative.position_stddev_m,
                            relative.heading_stddev_rad});
-    }
-  }
-  for (const PeerSighting& seen : sightings_) {
-    const auto robot = find_in(component, seen.robot);
-    const auto peer = find_in(component, seen.peer);
-    if (robot && peer && seen.submap < component.T_team_submaps[*robot].size() &&
-        seen.peer_submap < component.T_team_submaps[*peer].size()) {
-      relations.push_back({*robot,
-                           seen.submap,
-                           *peer,
-                           seen.peer_submap,
-                           seen.T_submap_peer,
-                           seen.position_stddev_m,
-                           seen.heading_stddev_rad});
     }
   }
   return relations;

@@ -44,17 +44,6 @@ struct ToldPose {
   RelativePose relative;
 };
 
-/// One robot has seen another. It does not join their maps by itself, but moves those that are.
-struct PeerSighting {
-  std::string robot;
-  std::size_t submap = 0;  ///< Where the one stood that saw.
-  std::string peer;
-  std::size_t peer_submap = 0;  ///< Where the other one stood.
-  geometry::Pose2 T_submap_peer;
-  double position_stddev_m = 0.0;
-  double heading_stddev_rad = 0.0;  ///< Infinite where only the place was seen.
-};
-
 /// Robots whose maps are joined, in the frame of the first one's map, as its first submap has it.
 struct TeamComponent {
   std::vector<std::string> robots;  ///< By name.
@@ -92,9 +81,6 @@ class TeamMap {
   void believe(const std::string& robot,
                const std::string& peer,
                const geometry::Pose2& T_robot_peer);
-
-  /// Takes that one robot has seen another.
-  void see(const PeerSighting& sighting);
 
   /// To be called after something was taken: looks for joins, checks those that there are, and
   /// aligns what is joined. Answers whether the components or their poses have changed.
@@ -135,7 +121,6 @@ class TeamMap {
   std::map<std::string, RobotMap> robots_;
   std::map<Pair, MapJoin> joins_;
   std::map<Pair, RelativePose> told_;
-  std::vector<PeerSighting> sightings_;
   std::vector<std::string> changed_;
   std::vector<TeamComponent> begun_;  ///< The components as they were before they were aligned.
   std::vector<TeamComponent> components_;

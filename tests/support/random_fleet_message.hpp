@@ -76,6 +76,14 @@ inline void make_consistent(fleet_messages::PresenceMessage& message) {
   message.body_radius_mm %= 5001;
   message.beam_half_angle = static_cast<std::uint16_t>(1 + message.beam_half_angle % 8192);
 }
+inline void make_consistent(fleet_messages::AlignmentMessage& message) {
+  for (fleet_messages::AlignedMapPart& map : message.maps) {
+    map.T_component_map = brought_near(map.T_component_map, {}, fleet_messages::kMaxTeamReachMm);
+    for (fleet_messages::PoseRow& pose : map.T_component_submaps) {
+      pose = brought_near(pose, {}, fleet_messages::kMaxTeamReachMm);
+    }
+  }
+}
 inline void make_consistent(fleet_messages::GraphMessage& message) {
   for (fleet_messages::PoseRow& pose : message.T_map_submaps) {
     pose = brought_near(pose, {}, fleet_messages::kMaxMapReachMm);

@@ -51,6 +51,16 @@ CostGridParams without_standing() {
   return params;
 }
 
+TEST(CostGrid, IsClosedAsFarAsItGoesWhereNobodyKnowsWhereSomebodyStands) {
+  CostGrid grid(furnished_floor(), {0.0, 0.0}, without_standing());
+  grid.close_around({0.0, 0.0}, std::numeric_limits<double>::infinity());
+  for (int y = 0; y < grid.rows(); ++y) {
+    for (int x = 0; x < grid.columns(); ++x) {
+      EXPECT_FALSE(grid.is_open({x, y}));
+    }
+  }
+}
+
 TEST(CostGrid, IsDearAndNotClosedWhereSomebodyStands) {
   CostGrid grid(furnished_floor(), {0.0, 0.0}, without_standing());
   const CostGrid before = grid;

@@ -151,6 +151,28 @@ TEST_F(FleetKnowledgeTest, BelievesAnAuthorThatIsBackWhateverARelayHadOfIt) {
   EXPECT_EQ(knowledge_.stored("r2").at(own.topic).payload, own.payload);
 }
 
+TEST_F(FleetKnowledgeTest, RefusesMoreThanARobotMayMake) {
+  for (std::uint32_t i = 0; i <= kMaxObjectsOfARobot; ++i) {
+    knowledge_.take(message_by("r2", fleet_messages::SourceMessage{0, i, 0, {{}}}, 0), 1.0);
+  }
+  EXPECT_EQ(knowledge_.object_count(), kMaxObjectsOfARobot);
+  EXPECT_EQ(refused(RefusedReason::kOverQuota), 1U);
+  for (std::uint16_t map = 0; map <= kMaxMapsOfARobot; ++map) {
+    knowledge_.take(message_by("r3", fleet_messages::GraphMessage{map, {}, {{}}}, 1U + map), 1.0);
+  }
+  EXPECT_EQ(refused(RefusedReason::kOverQuota), 2U);
+  knowledge_.take(message_by("r3", fleet_messages::GraphMessage{7, {}, {{1}}}, 900), 2.0);
+  EXPECT_EQ(refused(RefusedReason::kOverQuota), 2U) << "that map is known";
+}
+
+TEST_F(FleetKnowledgeTest, RefusesRobotsThatAFleetHasNoRoomFor) {
+  for (std::size_t i = 0; i <= kMaxRobots; ++i) {
+    knowledge_.take(message_by("n" + std::to_string(i), fleet_messages::PresenceMessage{}, 1), 1.0);
+  }
+  EXPECT_EQ(knowledge_.robots().size(), kMaxRobots);
+  EXPECT_EQ(refused(RefusedReason::kOverQuota), 1U);
+}
+
 TEST_F(FleetKnowledgeTest, NoticesWhatALatePresenceSaysIsMissing) {
   const mqtt::Message claim = message_by("r2", ClaimMessage{0, {{1, 2, 3, 4}}}, 1);
   fleet_messages::PresenceMessage presence;

@@ -37,6 +37,21 @@ TEST(OwnFolder, OverwritesNoObjectAfterAStart) {
   EXPECT_THAT(OwnFolder(folder.path()).load(), ElementsAre("first", "second"));
 }
 
+TEST(OwnFolder, OverwritesNoObjectWhereEarlierOnesAreMissing) {
+  const tests::ScratchFolder folder;
+  OwnFolder own(folder.path());
+  for (const char* payload : {"first", "second", "third"}) {
+    own.save_object(payload);
+  }
+  std::filesystem::remove(folder.path() / "1-object-00000000.bin");
+  std::filesystem::remove(folder.path() / "1-object-00000001.bin");
+  OwnFolder again(folder.path());
+  again.load();
+  again.save_object("fourth");
+  again.save_object("fifth");
+  EXPECT_THAT(OwnFolder(folder.path()).load(), ElementsAre("third", "fourth", "fifth"));
+}
+
 TEST(OwnFolder, KeepsNothingWithoutAPath) {
   OwnFolder own("");
   EXPECT_TRUE(own.save_object("first"));

@@ -105,6 +105,15 @@ TEST_F(RobotKnowledgeTest, IsGoneWithoutAMessageForAWhile) {
   EXPECT_EQ(knowledge_.attendance(28.0, kGoneAfterS), Attendance::kGone);
 }
 
+TEST_F(RobotKnowledgeTest, ForgetsWhatItSaidOfASearchBeforeItsHostStartedAgain) {
+  knowledge_.note_boot(5);
+  knowledge_.take(fleet_messages::to_message(fleet_messages::SearchReport{}, 0).value(), {}, 0.0);
+  knowledge_.note_boot(5);
+  EXPECT_TRUE(state().search);
+  knowledge_.note_boot(6);
+  EXPECT_FALSE(state().search);
+}
+
 TEST_F(RobotKnowledgeTest, KnowsWhatWasPromised) {
   knowledge_.take(
       fleet_messages::ManifestMessage{0, {content_hash("a"), content_hash("b")}}, {}, 0);

@@ -67,6 +67,9 @@ TEST(FleetPayload, HasNothingThatNoRobotIsOrReaches) {
   EXPECT_FALSE(encode({{"r1", 0, 0}, submap}));
   EXPECT_TRUE(encode({{"r1", 7, 42}, GraphMessage{0, {}, {{100'000, 0, 0}}}}));
   EXPECT_FALSE(encode({{"r1", 7, 42}, GraphMessage{0, {}, {{0, -100'001, 0}}}}));
+  EXPECT_TRUE(encode({{"r1", 7, 42}, AlignmentMessage{{{"r2", 0, {200'000, 0, 0}, {}}}}}));
+  EXPECT_FALSE(encode({{"r1", 7, 42}, AlignmentMessage{{{"r2", 0, {200'001, 0, 0}, {}}}}}));
+  EXPECT_FALSE(encode({{"r1", 7, 42}, AlignmentMessage{{{"r2", 0, {}, {{0, -200'001, 0}}}}}}));
 }
 
 TEST(FleetPayload, IsWrittenAsTheDocumentSays) {

@@ -257,6 +257,7 @@ TEST_F(ConnectionTest, OfTwoOfOneUserTheSecondHolds) {
     return !first->is_connected();
   }));
   EXPECT_TRUE(first->reason() == Reason::kTakenOver || first->reason() == Reason::kLost);
+  EXPECT_EQ(first->was_taken_over(), first->reason() == Reason::kTakenOver);
   first->take();
   second->take();
   EXPECT_FALSE(first->is_connected()) << "it waits";

@@ -35,6 +35,24 @@ TEST(RobotMap, SaysWhetherAnythingIsNew) {
   EXPECT_TRUE(map.take(moved));
 }
 
+/// Presence may come after the first submaps.
+TEST(RobotMap, IsMadeAnewOnceTheBeamIsKnown) {
+  RobotRecord narrow = told();
+  narrow.beam_half_angle_rad = 0.1;
+  RobotMap map{mapping::SonarMapperParams{}};
+  map.take(told());
+  EXPECT_TRUE(map.take(narrow));
+  RobotMap at_once{mapping::SonarMapperParams{}};
+  at_once.take(narrow);
+  ASSERT_EQ(map.surfaces().size(), at_once.surfaces().size());
+  for (std::size_t i = 0; i < map.surfaces().size(); ++i) {
+    EXPECT_EQ(map.surfaces()[i].surfaces.size(), at_once.surfaces()[i].surfaces.size()) << i;
+  }
+  RobotRecord wide = narrow;
+  wide.body_radius_m += 0.05;
+  EXPECT_TRUE(map.take(wide));
+}
+
 /// A submap whose pose has not come yet waits for it.
 TEST(RobotMap, TakesOnlySubmapsThatHaveAPose) {
   RobotMap map{mapping::SonarMapperParams{}};

@@ -114,6 +114,20 @@ TEST_F(SubmapRecorderTest, KeepsTheWayInStepsOfTenCentimetres) {
   }
 }
 
+/// A robot that a person has driven down a corridor.
+TEST_F(SubmapRecorderTest, LeavesOutWhatLiesFartherOffThanASubmapMayReach) {
+  stop();
+  bump();
+  for (int metre = 0; metre < 40; ++metre) {
+    drive(1.0);
+  }
+  stop();
+  const Submap& submap = recorder.submaps()[1];
+  EXPECT_GT(submap.T_odom_way.size(), 250U);
+  EXPECT_GT(submap.T_odom_way.front().x_m(), 10.9);
+  EXPECT_TRUE(submap.contacts.empty());
+}
+
 TEST_F(SubmapRecorderTest, HasNoSubmapOfAStopWithoutAnAnswer) {
   recorder.begin_scan();
   sensors::SonarObservation dead{next(), travel, 0.0, std::nullopt};

@@ -106,21 +106,6 @@ TEST_F(TeamMapTest, JoinsAtOnceWhatRobotsOfTheTeamHaveJoined) {
   EXPECT_NEAR(team.relative_pose("a", "b")->T_own_peer.x_m(), T_a_b.x_m(), 0.05);
 }
 
-TEST_F(TeamMapTest, MovesJoinedMapsToWhereRobotsSawEachOther) {
-  // What was told is poor, what was seen is good; walls are too far away to be shared.
-  team.take(tests::first_stops(a, 2));
-  team.take(tests::first_stops(b, 2));
-  const Pose2 T_far(30.0, 0.0, 0.0);
-  team.tell({"a", "b", {T_far, 0.5, 0.2}});
-  team.update();
-  const Pose2 told = team.relative_pose("a", "b")->T_own_peer;
-  EXPECT_NEAR(told.x_m(), 30.0, 0.05);
-  team.see({"a", 0, "b", 0, Pose2(30.4, 0.1, 0.0), 0.02, 0.02});
-  team.see({"a", 7, "b", 0, Pose2(), 0.02, 0.02});  // Of a submap that nobody has.
-  EXPECT_TRUE(team.update());
-  EXPECT_NEAR(team.relative_pose("a", "b")->T_own_peer.x_m(), 30.4, 0.05);
-}
-
 /// c lies to b as b lies to a.
 TEST_F(TeamMapTest, ReachesARobotByWayOfAnother) {
   RobotRecord c = b;
