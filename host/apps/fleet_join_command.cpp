@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <random>
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -178,8 +178,14 @@ RunEnding report_on_team_search(FleetMember& member,
   return ending_of_search(drive, source, run.next);
 }
 
-/// "NAME,X,Y,DEGREES": where the map of another robot lies in this one's.
-void tell_start(FleetMember& member, const std::string& words) {
+/// Where the map of another robot lies in this one's.
+struct KnownPose {
+  std::string peer;
+  team_map::RelativePose relative;
+};
+
+/// "NAME,X,Y,DEGREES".
+KnownPose known_pose(const std::string& words, const std::string& own_name) {
   const std::size_t comma = words.find(',');
   double x_m = 0.0;
   double y_m = 0.0;
@@ -192,8 +198,21 @@ void tell_start(FleetMember& member, const std::string& words) {
         ExitCode::kUsage,
         "--knows is NAME,X,Y,DEGREES, not '" + words + "'\n  next: echomap fleet join --help");
   }
-  member.tell(words.substr(0, comma),
-              {geometry::Pose2(x_m, y_m, geometry::radians(heading_deg)), 0.02, 0.02});
+  const std::string peer = words.substr(0, comma);
+  if (peer == own_name) {
+    throw CommandError(
+        ExitCode::kUsage,
+        "--knows " + words + " is this robot itself\n  next: name another robot of the fleet");
+  }
+  return {peer, {geometry::Pose2(x_m, y_m, geometry::radians(heading_deg)), 0.02, 0.02}};
+}
+
+std::vector<KnownPose> known_poses(const FleetJoinOptions& options, const std::string& own_name) {
+  std::vector<KnownPose> known;
+  for (const std::string& words : options.knows) {
+    known.push_back(known_pose(words, own_name));
+  }
+  return known;
 }
 
 /// Says good-bye, and stays until all that it has made is out; how many messages are not.
@@ -285,6 +304,7 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   exports::RunSummary summary;
 
   const broker::Credentials credentials = broker::read_credentials(options.as);
+  const std::vector<KnownPose> known = known_poses(options, credentials.user);
   const FleetMemberParams params = member_params(options, credentials, robot.profile());
   const FleetConnection connection =
       connect_to_fleet(options.as, fleet::last_will(params.exchange));
@@ -296,8 +316,8 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   }
   mqtt::MessageBus& bus = rounds ? static_cast<mqtt::MessageBus&>(*rounds) : *connection.bus;
   FleetMember member(robot, bus, params);
-  for (const std::string& known : options.knows) {
-    tell_start(member, known);
+  for (const auto& [peer, relative] : known) {
+    member.tell(peer, relative);
   }
   follow_bus(member, rounds ? &*rounds : nullptr, *connection.bus);
   open_port(robot, options.connection, run.strategy, summary);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +18,7 @@
 #include "host/apps/fleet_progress.hpp"
 #include "host/apps/fleet_score.hpp"
 #include "host/apps/fleet_watch.hpp"
+#include "host/apps/member_processes.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/source_report.hpp"
 #include "host/apps/source_setup.hpp"
@@ -40,8 +40,6 @@ constexpr const char* kFleet = "demo";
 constexpr const char* kHub = "hub";
 /// Who looks on beside.
 constexpr const char* kWatch = "watch";
-/// For the last files of a member behind its end.
-constexpr std::chrono::seconds kEndPatience{30};
 
 std::string robot_name(std::size_t robot) { return fmt::format("robot{}", robot); }
 
@@ -78,124 +76,57 @@ broker::BrokerSettings broker_settings(const FleetStartOptions& options) {
   return settings;
 }
 
-/// `echomap fleet join` of each simulated robot, as a process of its own: one that dies takes no
-/// other with it.
-class Members {
- public:
-  Members(const FleetStartOptions& options,
-          const broker::Broker& broker,
-          const session::SimulatedRobots& robots,
-          const fs::path& out)
-      : names_(robot_names(robots.size())) {
-    for (std::size_t i = 0; i < robots.size(); ++i) {
-      const fs::path folder = out / names_[i];
-      fs::create_directories(folder);
-      processes_.push_back(std::make_unique<session::ChildProcess>(
-          command_of(options, broker, robots.connection(i), i, folder), folder / "join.log"));
-    }
-    statuses_.resize(processes_.size());
-  }
-
-  /// Whether any of them goes on.
-  bool go_on() {
-    bool any = false;
-    for (std::size_t i = 0; i < processes_.size(); ++i) {
-      statuses_[i] = processes_[i]->exit_status();
-      any = any || !statuses_[i];
-    }
-    return any;
-  }
-  void interrupt() {
-    for (const auto& process : processes_) {
-      process->send(SIGTERM);
-    }
-  }
-  void wait_for_all() {
-    const auto end = std::chrono::steady_clock::now() + kEndPatience;
-    while (go_on() && std::chrono::steady_clock::now() < end) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-  }
-  const std::vector<std::string>& names() const { return names_; }
-  /// By name; null of one that was not heard to end.
-  nlohmann::ordered_json exits() const {
-    auto exits = nlohmann::ordered_json::object();
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      exits[names_[i]] = statuses_[i] ? nlohmann::ordered_json(*statuses_[i]) : nullptr;
-    }
-    return exits;
-  }
-  /// Whether one ended otherwise than by saying what became of its run.
-  bool has_lost_one() const {
-    return std::ranges::any_of(statuses_, [](const std::optional<int>& status) {
-      return status != static_cast<int>(ExitCode::kOk) &&
-             status != static_cast<int>(ExitCode::kUnfinished);
-    });
-  }
-  /// Whether one has ended of which the fleet has never heard: the others would wait for its first
-  /// round.
-  bool has_lost_one_unheard(const fleet::FleetState& state) const {
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      const bool is_heard = std::ranges::any_of(state.robots, [&](const auto& robot) {
-        return robot.name == names_[i] && robot.is_heard;
-      });
-      if (statuses_[i] && !is_heard) {
-        return true;
-      }
-    }
-    return false;
-  }
-  /// Those that did not get what they were asked for: "robot1 (exit 8)".
-  std::vector<std::string> unfinished() const {
-    std::vector<std::string> unfinished;
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (const int status = statuses_[i].value_or(1); status != 0) {
-        unfinished.push_back(fmt::format("{} (exit {})", names_[i], status));
-      }
-    }
-    return unfinished;
-  }
-
- private:
-  std::vector<std::string> command_of(const FleetStartOptions& options,
+/// `echomap fleet join` of a simulated robot.
+std::vector<std::string> join_command(const FleetStartOptions& options,
                                       const broker::Broker& broker,
                                       const session::ConnectionOptions& connection,
-                                      std::size_t robot,
-                                      const fs::path& folder) const {
-    std::vector<std::string> command{session::program_folder() / "echomap",
-                                     "fleet",
-                                     "join",
-                                     "--as",
-                                     broker.credentials_file(names_[robot]),
-                                     "--port",
-                                     connection.ports.front(),
-                                     "--lockstep",
-                                     connection.lockstep,
-                                     "--robot",
-                                     options.run.robot,
-                                     "--seed",
-                                     std::to_string(options.run.seed),
-                                     "--out",
-                                     folder,
-                                     "--force",
-                                     "--headless"};
-    for (const std::string& name : names_) {
-      command.insert(command.end(), {"--round-with", name});
-    }
-    if (options.search) {
-      command.insert(command.end(),
-                     {"--search", "--search-seconds", fmt::format("{}", options.max_s)});
-    }
-    return command;
+                                      const std::string& name,
+                                      const fs::path& folder) {
+  std::vector<std::string> command{session::program_folder() / "echomap",
+                                   "fleet",
+                                   "join",
+                                   "--as",
+                                   broker.credentials_file(name),
+                                   "--port",
+                                   connection.ports.front(),
+                                   "--lockstep",
+                                   connection.lockstep,
+                                   "--robot",
+                                   options.run.robot,
+                                   "--seed",
+                                   std::to_string(options.run.seed),
+                                   "--out",
+                                   folder,
+                                   "--force",
+                                   "--headless"};
+  for (const std::string& each : robot_names(options.robot.robots)) {
+    command.insert(command.end(), {"--round-with", each});
   }
+  if (options.search) {
+    command.insert(command.end(),
+                   {"--search", "--search-seconds", fmt::format("{}", options.max_s)});
+  }
+  return command;
+}
 
-  std::vector<std::string> names_;
-  std::vector<std::unique_ptr<session::ChildProcess>> processes_;
-  std::vector<std::optional<int>> statuses_;
-};
+MemberProcesses start_members(const FleetStartOptions& options,
+                              const broker::Broker& broker,
+                              const session::SimulatedRobots& robots,
+                              const fs::path& out) {
+  MemberProcesses members;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const std::string name = robot_name(i);
+    const fs::path folder = out / name;
+    fs::create_directories(folder);
+    members.start(name,
+                  join_command(options, broker, robots.connection(i), name, folder),
+                  folder / "join.log");
+  }
+  return members;
+}
 
 /// Shows the fleet, and says how far it is, while its members go on.
-void look_on(Members& members,
+void look_on(MemberProcesses& members,
              broker::Broker& broker,
              FleetWatch& watch,
              fleet_member::TeamPicture& picture,
@@ -234,7 +165,7 @@ void look_on(Members& members,
 
 /// How the fleet has ended: as the worst of its members.
 RunEnding ending_of(const FleetStartOptions& options,
-                    const Members& members,
+                    const MemberProcesses& members,
                     const fleet::FleetState& state,
                     const fleet_member::TeamPicture& picture,
                     const fs::path& out) {
@@ -366,7 +297,7 @@ ExitCode run_fleet_start(const FleetStartOptions& options) {
   FleetWatch watch(broker.credentials_file(kHub));
   FleetPage page(options.live, profile, out);
   fleet_member::TeamPicture picture;
-  Members members(options, broker, robots, out);
+  MemberProcesses members = start_members(options, broker, robots, out);
   look_on(members, broker, watch, picture, page);
   members.wait_for_all();
   watch.listen_for(0.5);

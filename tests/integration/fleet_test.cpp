@@ -124,6 +124,26 @@ TEST_F(Fleet, RefusesToSearchWithoutASensor) {
   EXPECT_THAT(ended.said, HasSubstr("no [scalar] sensor"));
 }
 
+TEST_F(Fleet, SaysWhatIsWrongWithAKnownPoseBeforeItConnects) {
+  const auto as = scratch / "robot1.toml";
+  files::write_text_file(as,
+                         "fleet = \"lab\"\nhost = \"127.0.0.1\"\nport = 9\nuser = \"robot1\"\n"
+                         "password = \"0123\"\n");
+  for (const auto& [words, error] : {std::pair("robot2,1,2", "is NAME,X,Y,DEGREES"),
+                                     std::pair("robot1,0,0,0", "is this robot itself")}) {
+    const Ended ended = run({"fleet",
+                             "join",
+                             "--as",
+                             as.string(),
+                             "--knows",
+                             words,
+                             "--out",
+                             (scratch / "run").string()});
+    EXPECT_EQ(ended.status, 2) << ended.said;
+    EXPECT_THAT(ended.said, HasSubstr(error));
+  }
+}
+
 TEST_F(Fleet, SaysWhatIsWrongWithCredentials) {
   const Ended missing = run({"fleet", "status", "--as=nowhere.toml"});
   EXPECT_EQ(missing.status, 2) << missing.said;
