@@ -83,9 +83,10 @@ void ConnectionNews::tell(const mqtt::Connection& bus) {
       spdlog::warn("no connection with the broker: {}", mqtt::text_of(bus.reason()));
     }
   }
-  if (bus.last_refused() && bus.last_refused()->reason != refused_) {
-    refused_ = bus.last_refused()->reason;
-    spdlog::warn("the broker refuses {}: {}", bus.last_refused()->topic, mqtt::text_of(refused_));
+  const std::optional<mqtt::RefusedMessage>& last = bus.last_refused();
+  if (last && last->reason != refused_) {
+    refused_ = last->reason;
+    spdlog::warn("the broker refuses {}: {}", last->topic, mqtt::text_of(refused_));
   }
 }
 

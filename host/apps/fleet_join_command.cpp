@@ -209,6 +209,7 @@ KnownPose known_pose(const std::string& words, const std::string& own_name) {
 
 std::vector<KnownPose> known_poses(const FleetJoinOptions& options, const std::string& own_name) {
   std::vector<KnownPose> known;
+  known.reserve(options.knows.size());
   for (const std::string& words : options.knows) {
     known.push_back(known_pose(words, own_name));
   }

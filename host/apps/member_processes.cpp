@@ -53,7 +53,8 @@ void MemberProcesses::wait_for_all() {
 nlohmann::ordered_json MemberProcesses::exits() const {
   auto exits = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    exits[names_[i]] = statuses_[i] ? nlohmann::ordered_json(*statuses_[i]) : nullptr;
+    const std::optional<int>& status = statuses_[i];
+    exits[names_[i]] = status ? nlohmann::ordered_json(*status) : nullptr;
   }
   return exits;
 }

@@ -90,8 +90,8 @@ std::size_t FleetKnowledge::missing_objects() const {
   std::size_t missing = 0;
   for (const auto& [name, robot] : robots_) {
     const std::vector<ContentHash> promised = robot.promised();
-    const std::size_t made =
-        robot.presence() ? std::size_t{robot.presence()->own_objects} : std::size_t{0};
+    const std::optional<fleet_messages::PresenceMessage>& presence = robot.presence();
+    const std::size_t made = presence ? presence->own_objects : 0;
     const auto here = static_cast<std::size_t>(
         std::ranges::count_if(promised, [&](const ContentHash& object) { return has(object); }));
     missing += std::max(made, promised.size()) - here;
@@ -100,9 +100,9 @@ std::size_t FleetKnowledge::missing_objects() const {
 }
 
 const std::map<std::string, StoredPayload>& FleetKnowledge::stored(const std::string& robot) const {
-  static const std::map<std::string, StoredPayload> kNone;
+  static const std::map<std::string, StoredPayload> none;
   const auto found = stored_.find(robot);
-  return found == stored_.end() ? kNone : found->second;
+  return found == stored_.end() ? none : found->second;
 }
 
 RobotKnowledge& FleetKnowledge::knowledge_of(const std::string& robot) {

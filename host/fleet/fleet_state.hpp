@@ -46,22 +46,22 @@ struct FleetMap {
 /// All that one robot has told.
 struct FleetRobot {
   std::string name;
-  Attendance attendance = Attendance::kAlive;
-  double age_s = 0.0;     ///< Since it was heard.
-  bool is_heard = false;  ///< By itself; otherwise all that is known was kept by others.
+  double age_s = 0.0;  ///< Since it was heard.
   fleet_messages::RobotTraits traits;
-  std::uint16_t map_number = 0;  ///< Of the map that it is making now.
-  std::vector<FleetMap> maps;    ///< In ascending order of their numbers.
+  std::vector<FleetMap> maps;  ///< In ascending order of their numbers.
   std::optional<FleetPose> pose;
   /// In its map of `claims_map_number`; none of a robot that is not alive.
   std::vector<team_exploration::Claim> claims;
-  std::uint16_t claims_map_number = 0;
   /// In its map of `search_map_number`; empty where it does not search.
   std::optional<fleet_messages::SearchReport> search;
-  std::uint16_t search_map_number = 0;
   std::vector<fleet_messages::AlignedMap> alignment;
   std::size_t known_objects = 0;          ///< How many objects it has, of whomever,
   fleet_messages::ContentHash known_set;  ///< and the hash of their set.
+  std::uint16_t map_number = 0;           ///< Of the map that it is making now.
+  std::uint16_t claims_map_number = 0;
+  std::uint16_t search_map_number = 0;
+  Attendance attendance = Attendance::kAlive;
+  bool is_heard = false;  ///< By itself; otherwise all that is known was kept by others.
 };
 
 /// What one robot knows of its fleet, itself included, all of it as it was sent: in whole

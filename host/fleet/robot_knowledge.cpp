@@ -5,6 +5,8 @@
 #include <limits>
 #include <variant>
 
+#include "host/fleet_messages/payload.hpp"
+
 namespace echomap::fleet {
 namespace {
 

@@ -88,21 +88,21 @@ class RobotKnowledge {
   FleetMap shown(std::uint16_t number, const Map& map) const;
 
   std::string name_;
-  std::uint32_t boot_id_ = 0;
   std::size_t objects_ = 0;  ///< With those of which another one is used.
   std::optional<double> heard_s_;
-  bool is_heard_ = false;
-  bool is_lost_ = false;
-  std::optional<fleet_messages::PresenceMessage> presence_;
   std::optional<FleetPose> pose_;
   double posed_s_ = 0.0;
   std::map<std::uint16_t, Map> maps_;
   std::map<std::uint16_t, std::vector<fleet_messages::ContentHash>> pages_;
   std::vector<team_exploration::Claim> claims_;
-  std::uint16_t claims_map_number_ = 0;
   std::optional<fleet_messages::SearchReport> search_;
-  std::uint16_t search_map_number_ = 0;
   std::vector<fleet_messages::AlignedMap> alignment_;
+  std::optional<fleet_messages::PresenceMessage> presence_;
+  std::uint32_t boot_id_ = 0;
+  std::uint16_t claims_map_number_ = 0;
+  std::uint16_t search_map_number_ = 0;
+  bool is_heard_ = false;
+  bool is_lost_ = false;
 };
 
 }  // namespace echomap::fleet

@@ -173,6 +173,7 @@ Motion OperatorControl::go(const pipeline::Snapshot& snapshot, MotionResult last
     stand(StandReason::kNoWay);
   } else if (const StandReason reason = stand_reason(last); reason != StandReason::kNone) {
     stand(reason);
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): plan() has set it
   } else if (const auto motion = navigator_->next(snapshot.latest.T_map_robot)) {
     return *motion;
   } else {

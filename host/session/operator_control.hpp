@@ -102,16 +102,16 @@ class OperatorControl {
   OperatorQueue& queue_;
   OperatorParams params_;
   OperatorHooks hooks_;
-  OperatorMode mode_ = OperatorMode::kStrategy;
-  StandReason reason_ = StandReason::kNone;
   std::size_t times_taken_ = 0;
-  bool ends_motion_ = false;  ///< What was taken since the last look ends the motion under way.
   WallTime now_;
   SteerRobot steer_;
-  bool is_blocked_ = false;  ///< It was stopped: nothing moves before the stick was let go.
   Eigen::Vector2d goal_m_ = Eigen::Vector2d::Zero();
-  bool is_planned_ = false;  ///< The way to the goal.
   std::optional<exploration::Navigator> navigator_;
+  OperatorMode mode_ = OperatorMode::kStrategy;
+  StandReason reason_ = StandReason::kNone;
+  bool ends_motion_ = false;  ///< What was taken since the last look ends the motion under way.
+  bool is_blocked_ = false;   ///< It was stopped: nothing moves before the stick was let go.
+  bool is_planned_ = false;   ///< The way to the goal.
 };
 
 }  // namespace echomap::session

@@ -126,9 +126,6 @@ class RobotContext {
   Seed seed_;
   recording::SessionRecorder recorder_;
   RecordingLog recording_log_{recorder_};
-  bool trouble_is_told_ = false;
-  bool dead_sonar_is_told_ = false;
-  bool dirt_is_told_ = false;
   pipeline::ObservationFork fork_;
   pipeline::JoinedSessions sessions_{fork_};
   std::optional<pipeline::RobotAtlas> atlas_;
@@ -144,6 +141,9 @@ class RobotContext {
   std::unique_ptr<transport::LockstepChannel> lockstep_;
   std::function<void()> remember_port_;  ///< Of OpenedRobot.
   std::optional<RobotSession> session_;
+  bool trouble_is_told_ = false;
+  bool dead_sonar_is_told_ = false;
+  bool dirt_is_told_ = false;
 };
 
 /// The session's time, in seconds.
