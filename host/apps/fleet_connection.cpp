@@ -69,7 +69,12 @@ std::map<std::string, std::size_t> refused_by_reason(const fleet::ReceptionStati
 }
 
 void warn_of_refused(const fleet::ReceptionStatistics& statistics) {
-  for (const auto& [reason, count] : refused_by_reason(statistics)) {
+  using fleet_messages::RefusedReason;
+  std::map<std::string, std::size_t> refused = refused_by_reason(statistics);
+  for (const RefusedReason usual : {RefusedReason::kReplayed, RefusedReason::kOldBoot}) {
+    refused.erase(std::string(name_of(usual)));
+  }
+  for (const auto& [reason, count] : refused) {
     spdlog::warn("{} messages of the fleet were refused: {}", count, reason);
   }
 }

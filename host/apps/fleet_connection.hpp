@@ -39,7 +39,7 @@ class ConnectionNews {
 /// Messages of a fleet that were refused, by the names of their reasons; only what there was.
 std::map<std::string, std::size_t> refused_by_reason(const fleet::ReceptionStatistics& statistics);
 
-/// Warns of them, if any.
+/// Warns of those that tell of a fault; what was kept of before is refused in any fleet.
 void warn_of_refused(const fleet::ReceptionStatistics& statistics);
 
 }  // namespace echomap::apps

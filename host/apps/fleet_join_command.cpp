@@ -253,7 +253,9 @@ void add_untold(std::size_t untold, const FleetMember& member, RunEnding& ending
     ending.why += fmt::format("; the broker has not taken {} messages of it", untold);
   }
   if (member.unsendable_stops() > 0) {
-    ending.why += fmt::format("; {} stops were too large to be sent", member.unsendable_stops());
+    ending.why +=
+        fmt::format("; {} stops were too large to be sent, so that others miss what follows",
+                    member.unsendable_stops());
   }
   if (const std::size_t unsaved = member.fleet().statistics().unsaved; unsaved > 0) {
     ending.why += fmt::format("; {} messages could not be kept in its folder", unsaved);

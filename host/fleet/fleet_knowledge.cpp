@@ -140,7 +140,9 @@ void FleetKnowledge::take_foreign(const TopicMessage& decoded,
     stored[topic] = {kind, said.sender.boot_id, message.payload, now_s};
   }
   RobotKnowledge& author = knowledge_of(said.sender.robot);
-  author.note_boot(said.sender.boot_id);
+  if (!is_relayed) {
+    author.note_boot(said.sender.boot_id);
+  }
   if (message.is_retained && !is_relayed) {
     author.hear_of(now_s);
   } else if (!is_relayed) {

@@ -121,7 +121,6 @@ void FleetMember::tell_stops() {
   poses.erase(poses.begin(), poses.end() - static_cast<std::ptrdiff_t>(submaps.size()));
   if (!exchange_.add_submap(submaps.back())) {
     ++unsendable_stops_;
-    recorder_->drop_last();
     return;
   }
   const auto covariance = robot_.atlas().pipeline().pose_estimate().covariance;

@@ -76,7 +76,7 @@ class FleetMember final : public SearchBoard {
   /// The map of all joined robots in its frame; null before its first stop.
   const team_map::MergedMap* merged();
   const fleet::FleetExchange& fleet() const { return exchange_; }
-  /// Stops that were too large to be sent: the others do not have them.
+  /// Stops that were too large to be sent: the others have nothing of that map from there on.
   std::size_t unsendable_stops() const { return unsendable_stops_; }
   const JoinLog& joins() const { return joins_; }
 

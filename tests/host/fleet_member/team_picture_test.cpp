@@ -53,6 +53,16 @@ TEST_F(TeamPictureTest, KnowsNobodyBeforeAnythingWasTold) {
   EXPECT_TRUE(view.peers.empty());
 }
 
+TEST_F(TeamPictureTest, DoesNotPlaceAPeerThatIsKnownNoBetterThanToMetres) {
+  picture.take(state);
+  tell_where_b_started();
+  state.revision = 2;
+  picture.take(state);
+  ASSERT_EQ(picture.peers(state, "a", 0).size(), 1U);
+  state.robots[1].pose->estimate.covariance = 4.0 * Eigen::Matrix3d::Identity();
+  EXPECT_TRUE(picture.peers(state, "a", 0).empty());
+}
+
 TEST_F(TeamPictureTest, TakesAStateOnce) {
   EXPECT_TRUE(picture.take(state));
   EXPECT_FALSE(picture.take(state));
