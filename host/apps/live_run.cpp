@@ -174,7 +174,7 @@ bool LiveRun::may_be_watched() const {
   return serves() && (console::has_desktop() || ::isatty(STDERR_FILENO) == 1);
 }
 
-double LiveRun::time_s() const { return now_s(robot_.session()); }
+double LiveRun::time_s() const { return robot_.is_open() ? now_s(robot_.session()) : 0.0; }
 
 void LiveRun::step() {
   const WallTime now = steady_clock::now();

@@ -113,7 +113,7 @@ void RobotContext::open(OpenedRobot robot) {
   if (lockstep_) {
     robot.connection.pace = scaled_pace(std::move(robot.connection.pace), time_scale_);
   }
-  session_.emplace(std::move(robot.connection), profile_, sessions_);
+  session_ = std::make_unique<RobotSession>(std::move(robot.connection), profile_, sessions_);
   session_->on_step = [this] { step(); };
 }
 
@@ -143,13 +143,11 @@ void RobotContext::step() {
 }
 
 void RobotContext::connect() {
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): open() comes before
   session_->connect();
   if (remember_port_) {
     remember_port_();
   }
   if (follower_) {
-    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): open() comes before
     follower_->begin(*session_);
   }
 }
@@ -171,42 +169,42 @@ exploration::MotionResult RobotContext::execute(const exploration::Motion& motio
 }
 
 void RobotContext::look_for_trouble() {
-  if (!recorder_.trouble().empty() && !std::exchange(trouble_is_told_, true)) {
+  if (!recorder_.trouble().empty() && !std::exchange(trouble_is_reported_, true)) {
     spdlog::warn("cannot record: {}; trying again", recorder_.trouble());
   }
-  if (sonar_is_dead() != std::exchange(dead_sonar_is_told_, sonar_is_dead())) {
+  if (sonar_is_dead() != std::exchange(dead_sonar_is_reported_, sonar_is_dead())) {
     spdlog::warn(sonar_is_dead() ? "the sonar does not answer: it is not connected, or it is dead; "
                                    "check its wiring and its supply (docs/guides/wiring.md)"
                                  : "the sonar answers again");
   }
-  if (dirty_encoder() && !std::exchange(dirt_is_told_, true)) {
-    const FaultAdvice advice = advice_of(*dirty_encoder(), profile_);
+  if (const auto& dirt = dirty_encoder(); dirt && !std::exchange(dirt_is_reported_, true)) {
+    const FaultAdvice advice = advice_of(*dirt, profile_);
     spdlog::warn("{}: {}", advice.what, advice.change);
   }
 }
 
 exploration::MotionResult RobotContext::move(const exploration::Motion& motion) {
-  if (person_ && person_->has_robot()) {
-    return hand_over();
+  OperatorControl* const person = person_ ? &*person_ : nullptr;
+  if (person != nullptr && person->has_robot()) {
+    return hand_over(*person);
   }
-  const std::size_t times_taken = person_ ? person_->times_taken() : 0;
+  const std::size_t times_taken = person != nullptr ? person->times_taken() : 0;
   if (self_check_) {
     self_check_->begin_motion(motion);
   }
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): open() comes before
   const exploration::MotionResult result = session_->execute(motion);
   if (self_check_) {
     self_check_->end_motion(result);
   }
-  return person_ && person_->times_taken() != times_taken ? hand_over() : result;
+  return person != nullptr && person->times_taken() != times_taken ? hand_over(*person) : result;
 }
 
-exploration::MotionResult RobotContext::hand_over() {
+exploration::MotionResult RobotContext::hand_over(OperatorControl& person) {
   session_->end_scan();
   exploration::MotionResult last = exploration::MotionResult::kTakenOver;
-  while (person_->has_robot() && !session_->end()) {
+  while (person.has_robot() && !session_->end()) {
     const auto snapshot = atlas_ ? atlas_->pipeline().snapshot() : pipeline::Snapshot();
-    last = session_->execute(person_->next(snapshot, last));
+    last = session_->execute(person.next(snapshot, last));
   }
   return exploration::MotionResult::kTakenOver;
 }

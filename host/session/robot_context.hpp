@@ -72,9 +72,10 @@ class RobotContext {
   /// Where the record of an earlier session is played, before the port is open.
   pipeline::JoinedSessions& sessions() { return sessions_; }
   /// After `begin_maps`.
-  // NOLINTBEGIN(bugprone-unchecked-optional-access): callers begin the maps and open first
+  // NOLINTBEGIN(bugprone-unchecked-optional-access): callers begin the maps first
   pipeline::RobotAtlas& atlas() { return *atlas_; }
   const pipeline::RobotAtlas& atlas() const { return *atlas_; }
+  // NOLINTEND(bugprone-unchecked-optional-access)
   /// Name of the SLAM method that places the robot, or kNoSlam. After `begin_maps`.
   const std::string& slam() const { return slam_; }
   bool is_followed() const { return follower_ != nullptr; }
@@ -91,10 +92,10 @@ class RobotContext {
   const std::optional<diagnosis::Fault>& dirty_encoder() const { return encoder_check_.fault(); }
   /// The sonar has not answered its last triggers.
   bool sonar_is_dead() const { return sonar_check_.is_dead(); }
+  bool is_open() const { return session_ != nullptr; }
   /// After `open`.
   RobotSession& session() { return *session_; }
   const RobotSession& session() const { return *session_; }
-  // NOLINTEND(bugprone-unchecked-optional-access)
   /// The clock of a simulated robot; null for one on a desk.
   transport::LockstepChannel* lockstep() { return lockstep_.get(); }
 
@@ -120,10 +121,13 @@ class RobotContext {
   /// encoder that loses counts.
   void look_for_trouble();
   /// Carries out what the person wants for as long as the person has the robot.
-  exploration::MotionResult hand_over();
+  exploration::MotionResult hand_over(OperatorControl& person);
 
   RobotProfile profile_;
   Seed seed_;
+  bool trouble_is_reported_ = false;
+  bool dead_sonar_is_reported_ = false;
+  bool dirt_is_reported_ = false;
   recording::SessionRecorder recorder_;
   RecordingLog recording_log_{recorder_};
   pipeline::ObservationFork fork_;
@@ -140,10 +144,7 @@ class RobotContext {
   TimeScale time_scale_;
   std::unique_ptr<transport::LockstepChannel> lockstep_;
   std::function<void()> remember_port_;  ///< Of OpenedRobot.
-  std::optional<RobotSession> session_;
-  bool trouble_is_told_ = false;
-  bool dead_sonar_is_told_ = false;
-  bool dirt_is_told_ = false;
+  std::unique_ptr<RobotSession> session_;
 };
 
 /// The session's time, in seconds.
