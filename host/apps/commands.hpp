@@ -220,12 +220,24 @@ struct FleetStartOptions {
   RunOptions run;
   LiveOptions live;
   session::SimulatedRobotOptions robot;
-  std::string address = "127.0.0.1";  ///< Where the broker listens.
   bool tls = false;
   bool search = false;   ///< Search a source, in place of making a map.
   double max_s = 900.0;  ///< Robot time after which a search ends unsure.
 };
 ExitCode run_fleet_start(const FleetStartOptions& options);
+
+/// `echomap fleet broker`: runs a broker for robots on other machines until Ctrl-C.
+struct FleetBrokerOptions {
+  std::string fleet = "fleet";
+  std::vector<std::string> robots;  ///< Accounts beside those of the hub and of an observer.
+  std::string address = "0.0.0.0";  ///< Where it listens: an address of this machine.
+  std::uint16_t port = 8883;        ///< 0: one that is free.
+  /// Names and addresses that robots' hosts have for this machine; the first is in their files.
+  std::vector<std::string> host_names;
+  std::filesystem::path bridge_as;  ///< Credentials of this site at its region's broker.
+  std::filesystem::path out;        ///< The broker's folder.
+};
+ExitCode run_fleet_broker(const FleetBrokerOptions& options);
 
 /// `echomap fleet status`: who is in a fleet and how far it has come.
 struct FleetStatusOptions {

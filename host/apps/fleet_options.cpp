@@ -85,8 +85,6 @@ void add_fleet_start(CLI::App& fleet, CommandAction& action) {
   command->add_option("--emulator", options->robot.emulator, "What runs the firmware")
       ->check(CLI::IsMember({"simavr", "mock"}))
       ->capture_default_str();
-  command->add_option(
-      "--broker-address", options->address, "Where the broker listens, for robots elsewhere");
   command->add_flag("--tls", options->tls, "The broker speaks TLS, by a certificate made for it");
   command->add_option("--robot", options->run.robot, "Profile of the robots")
       ->capture_default_str();
@@ -108,6 +106,41 @@ void add_fleet_start(CLI::App& fleet, CommandAction& action) {
     options->live.serves = !options->run.headless;
     action = [options] { return run_fleet_start(*options); };
   });
+}
+
+void add_fleet_broker(CLI::App& fleet, CommandAction& action) {
+  CLI::App* command =
+      fleet.add_subcommand("broker", "Run a broker with TLS for robots on other machines");
+  const auto options = std::make_shared<FleetBrokerOptions>();
+  command->add_option("--robots", options->robots, "Names of the robots, with commas between them")
+      ->delimiter(',')
+      ->required();
+  command->add_option("--fleet", options->fleet, "Name of the fleet")->capture_default_str();
+  command->add_option("--address", options->address, "Address of this machine that it listens on")
+      ->capture_default_str();
+  command->add_option("--port", options->port, "TCP port; 0: any free one")->capture_default_str();
+  command
+      ->add_option("--name",
+                   options->host_names,
+                   "Name or address that the robots' hosts have for this machine; may be repeated. "
+                   "By default --address")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--bridge-as",
+                   options->bridge_as,
+                   "Credentials of this site at the broker of its region: bridges presence, "
+                   "manifests, graphs and submaps to it")
+      ->check(CLI::ExistingFile);
+  command
+      ->add_option("--out",
+                   options->out,
+                   "Folder of the broker: accounts, certificate and what it has retained; one that "
+                   "is there is used again")
+      ->required();
+  command->footer(
+      "Example: echomap fleet broker --robots alice,bob --name 192.168.1.7 --out lab_broker");
+  command->callback(
+      [&action, options] { action = [options] { return run_fleet_broker(*options); }; });
 }
 
 void add_fleet_join(CLI::App& fleet, CommandAction& action) {
@@ -182,6 +215,7 @@ void add_fleet(CLI::App& app, CommandAction& action) {
   CLI::App* fleet = app.add_subcommand("fleet", "Work with several robots at once");
   fleet->require_subcommand(1);
   add_fleet_start(*fleet, action);
+  add_fleet_broker(*fleet, action);
   add_fleet_join(*fleet, action);
   add_fleet_status(*fleet, action);
   add_fleet_map(*fleet, action);

@@ -65,7 +65,6 @@ void forget_earlier_run(const fs::path& out, const std::vector<std::string>& rob
 broker::BrokerSettings broker_settings(const FleetStartOptions& options) {
   broker::BrokerSettings settings;
   settings.fleet = kFleet;
-  settings.address = options.address;
   settings.tls = options.tls;
   settings.hub = kHub;
   for (const std::string& name : robot_names(options.robot.robots)) {
@@ -285,9 +284,8 @@ ExitCode run_fleet_start(const FleetStartOptions& options) {
   prepare_outputs(out, run.json, run.force);
   forget_earlier_run(out, robot_names(options.robot.robots));
   broker::Broker broker(broker_settings(options), out / "broker");
-  console::print(fmt::format("broker of the fleet '{}' at {}:{}; look on by --as {}",
+  console::print(fmt::format("broker of the fleet '{}' on port {}; observe it with --as {}",
                              kFleet,
-                             options.address,
                              broker.port(),
                              broker.credentials_file(kWatch).string()));
   session::SimulatedRobotOptions simulated = options.robot;

@@ -28,6 +28,7 @@ constexpr std::chrono::seconds kStartPatience{10};
 /// Writing 100 MB of retained messages takes a second or two.
 constexpr std::chrono::seconds kStopPatience{20};
 constexpr int kPortAttempts = 5;
+constexpr const char* kCaFile = "ca.crt";
 
 [[noreturn]] void fail(const std::string& message) {
   throw console::CommandError(console::ExitCode::kRuntimeError, message);
@@ -123,7 +124,8 @@ Credentials Broker::credentials(const std::string& user) const {
   for (const BrokerUser& each : settings_.users) {
     if (each.name == user) {
       return {settings_.fleet,
-              reachable_address(settings_.address),
+              settings_.host_names.empty() ? reachable_address(settings_.address)
+                                           : settings_.host_names.front(),
               port_,
               user,
               each.password,
@@ -197,10 +199,17 @@ void Broker::write_accounts() {
   files::write_text_file(folder_ / "rights.acl", broker_rights(settings_), files::Readers::kOwner);
 }
 
+/// So that the files can be copied to other machines, the CA is beside them.
 void Broker::write_members() const {
-  make_private_folder(folder_ / "members");
+  const fs::path members = folder_ / "members";
+  make_private_folder(members);
+  if (certificates_) {
+    fs::copy_file(certificates_->ca, members / kCaFile, fs::copy_options::overwrite_existing);
+  }
   for (const BrokerUser& user : settings_.users) {
-    write_credentials(credentials_file(user.name), credentials(user.name));
+    Credentials credentials = this->credentials(user.name);
+    credentials.ca_file = certificates_ ? kCaFile : "";
+    write_credentials(credentials_file(user.name), credentials);
   }
 }
 

@@ -21,7 +21,7 @@ namespace echomap::broker {
 ///
 ///     mosquitto.conf, passwords, rights.acl, tls/    what it runs by
 ///     port                                           where it listens, in decimal digits
-///     members/NAME.toml                              credentials of each account
+///     members/NAME.toml, ca.crt                      credentials of each account, to be copied
 ///     store/, mosquitto.log                          what it writes
 class Broker {
  public:
@@ -37,8 +37,9 @@ class Broker {
   const std::filesystem::path& folder() const { return folder_; }
   pid_t pid() const { return process_->pid(); }
   bool is_running() { return process_ && !process_->exit_status(); }
-  /// What an account connects with, from this machine. Throws console::CommandError kRuntimeError
-  /// where there is no such account.
+  /// What an account connects with: by the first of BrokerSettings::host_names, or from this
+  /// machine where there is none. Throws console::CommandError kRuntimeError where there is no such
+  /// account.
   Credentials credentials(const std::string& user) const;
   std::filesystem::path credentials_file(const std::string& user) const;
 

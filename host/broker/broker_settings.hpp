@@ -37,7 +37,7 @@ struct BrokerSettings {
   std::string hub = "hub";
   bool tls = false;
   /// Names and addresses that clients use for this machine, beside localhost and `address`: what
-  /// its certificate is for.
+  /// its certificate is for. The first is in the credentials of members.
   std::vector<std::string> host_names;
   /// Largest payload, bytes: that of a fleet's messages.
   std::size_t max_payload_bytes = std::size_t{16} << 10;

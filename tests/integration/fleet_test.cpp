@@ -124,6 +124,59 @@ TEST_F(Fleet, RefusesToSearchWithoutASensor) {
   EXPECT_THAT(ended.said, HasSubstr("no [scalar] sensor"));
 }
 
+TEST_F(Fleet, ABrokerForOtherMachinesGivesFilesThatCanBeCopied) {
+  const auto members = scratch / "lab/members";
+  const auto copied = scratch / "copied";
+  const auto while_it_runs = [&](const std::string& robots, const auto& act) {
+    Program broker("echomap",
+                   {"fleet",
+                    "broker",
+                    "--robots=" + robots,
+                    "--address=127.0.0.1",
+                    "--name=localhost",
+                    "--port=0",
+                    "--out=" + (scratch / "lab").string()},
+                   scratch / "broker_log");
+    ASSERT_TRUE(eventually([&] {
+      return files::read_text_file(scratch / "broker_log").find("watch.toml") != std::string::npos;
+    }));
+    act();
+    broker.send(SIGINT);
+    const Ended ended = broker.wait();
+    EXPECT_EQ(ended.status, 0) << ended.said;
+    EXPECT_THAT(ended.said, HasSubstr("fleet join --as alice.toml"));
+  };
+  while_it_runs("alice", [&] {
+    copy(members, copied);
+    const Ended status =
+        run({"fleet", "status", "--listen-s=0.5", "--as=" + (copied / "watch.toml").string()});
+    EXPECT_THAT(status.said, HasSubstr("nobody is in the fleet 'fleet'"));
+  });
+  while_it_runs("alice,bob", [&] {
+    const auto password_in = [](const std::filesystem::path& file) {
+      const std::string text = files::read_text_file(file);
+      return text.substr(text.find("password"));
+    };
+    EXPECT_EQ(password_in(members / "alice.toml"), password_in(copied / "alice.toml"));
+    EXPECT_TRUE(exists(members / "bob.toml"));
+  });
+}
+
+TEST_F(Fleet, ABrokerForOtherMachinesAsksWhatTheyCallThisOne) {
+  const Ended unnamed =
+      run({"fleet", "broker", "--robots=alice", "--out=" + (scratch / "lab").string()});
+  EXPECT_EQ(unnamed.status, 2) << unnamed.said;
+  EXPECT_THAT(unnamed.said, HasSubstr("next: add --name"));
+  files::write_text_file(scratch / "notes.txt", "");
+  const Ended other = run({"fleet",
+                           "broker",
+                           "--robots=alice",
+                           "--name=localhost",
+                           "--out=" + scratch.path().string()});
+  EXPECT_EQ(other.status, 2) << other.said;
+  EXPECT_THAT(other.said, HasSubstr("next: name a new folder"));
+}
+
 TEST_F(Fleet, SaysWhatIsWrongWithAKnownPoseBeforeItConnects) {
   const auto as = scratch / "robot1.toml";
   files::write_text_file(as,

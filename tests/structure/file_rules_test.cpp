@@ -53,6 +53,7 @@ const std::vector<std::string> without_own_test{
     "host/apps/eval_command.cpp",
     "host/apps/explore_command.cpp",
     "host/apps/explore_run.cpp",
+    "host/apps/fleet_broker_command.cpp",
     "host/apps/fleet_connection.cpp",
     "host/apps/fleet_join_command.cpp",
     "host/apps/fleet_map_command.cpp",
