@@ -2,12 +2,12 @@
 #include "host/team_exploration/avoidance.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "host/exploration/planning_map.hpp"
 #include "host/geometry/parameter_validator.hpp"
 #include "host/team_exploration/claims.hpp"
+#include "host/time/robot_seconds.hpp"
 
 namespace echomap::team_exploration {
 namespace {
@@ -16,10 +16,6 @@ using exploration::Motion;
 using exploration::MotionResult;
 using exploration::Stand;
 using pipeline::Snapshot;
-
-double time_s(const Snapshot& snapshot) {
-  return std::chrono::duration<double>(snapshot.latest.stamp.time_since_epoch()).count();
-}
 
 const Peer* find_peer(const TeamView& view, const std::string& robot) {
   const auto found = std::find_if(
@@ -37,6 +33,7 @@ Avoidance::Avoidance(const AvoidanceParams& params)
       .positive("patience_s", params.patience_s)
       .positive("max_patiences", params.max_patiences)
       .positive("moved_m", params.moved_m)
+      .at_least("widen_m", params.widen_m, 0.0)
       .positive("turn_s", params.turn_s)
       .at_least("min_aside_s", params.min_aside_s, 0.0)
       .at_least("max_aside_s", params.max_aside_s, params.min_aside_s)
@@ -60,6 +57,9 @@ std::optional<Motion> Avoidance::next(const Snapshot& snapshot,
     if (auto motion = go_aside(snapshot, view)) {
       return motion;
     }
+    if (!has_passed(snapshot, view)) {
+      lose_patience(view, aside_->whom);
+    }
     aside_.reset();
     wants_another_goal_ = true;
   }
@@ -73,7 +73,7 @@ std::optional<Motion> Avoidance::next(const Snapshot& snapshot,
     return motion;
   }
   held_->by = peer->robot;
-  return wait(snapshot, view, time_s(snapshot));
+  return wait(snapshot, view, time::robot_seconds(snapshot.latest.stamp));
 }
 
 Motion Avoidance::checked(const Snapshot& snapshot, const TeamView& view, const Motion& motion) {
@@ -81,14 +81,14 @@ Motion Avoidance::checked(const Snapshot& snapshot, const TeamView& view, const 
   if (peer == nullptr) {
     return motion;
   }
-  const double now_s = time_s(snapshot);
+  const double now_s = time::robot_seconds(snapshot.latest.stamp);
   ++encounters_.waits;
   held_ = Held{motion, peer->robot, now_s, now_s, false};
   return wait(snapshot, view, now_s);
 }
 
-/// Until the motion can be made; in a deadlock until it is this robot's turn to make way. After its
-/// patience, or turns enough, it looks for something else to do.
+/// Waits until the motion can be made; in a deadlock, until it is this robot's turn to make way.
+/// After its patience, or enough turns, it wants another goal.
 Motion Avoidance::wait(const Snapshot& snapshot, const TeamView& view, double now_s) {
   const auto robots = deadlock(view, params_.robot, held_->by);
   if (!robots.empty() && is_its_turn(robots, now_s)) {
@@ -100,28 +100,32 @@ Motion Avoidance::wait(const Snapshot& snapshot, const TeamView& view, double no
   }
   const double all_turns_s = params_.turn_s * static_cast<double>(robots.size());
   if (now_s - held_->since_s >= std::max(params_.patience_s, 2.0 * all_turns_s)) {
-    lose_patience(view);
+    lose_patience(view, held_->by);
     held_.reset();
     wants_another_goal_ = true;
   }
   return Stand{params_.look_again_s};
 }
 
-void Avoidance::lose_patience(const TeamView& view) {
-  if (const Peer* peer = find_peer(view, held_->by)) {
-    LostPatience& lost = lost_patience_[peer->robot];
-    if ((lost.at_m - peer->T_map_robot.position_m()).norm() > params_.moved_m) {
-      lost = {peer->T_map_robot.position_m(), 0};
-    }
-    ++lost.times;
+void Avoidance::lose_patience(const TeamView& view, const std::string& whom) {
+  if (const Peer* peer = find_peer(view, whom)) {
+    const std::size_t times = times_in_vain(*peer);
+    LostPatience& lost = lost_patience_[whom];
+    lost = {times == 0 ? peer->T_map_robot.position_m() : lost.at_m, times + 1};
   }
 }
 
-bool Avoidance::stays(const Peer& peer) const {
+/// Zero where the peer has moved away since.
+std::size_t Avoidance::times_in_vain(const Peer& peer) const {
   const auto lost = lost_patience_.find(peer.robot);
-  return peer.stays ||
-         (lost != lost_patience_.end() && lost->second.times >= params_.max_patiences &&
-          (lost->second.at_m - peer.T_map_robot.position_m()).norm() <= params_.moved_m);
+  const bool is_there =
+      lost != lost_patience_.end() &&
+      (lost->second.at_m - peer.T_map_robot.position_m()).norm() <= params_.moved_m;
+  return is_there ? lost->second.times : 0;
+}
+
+bool Avoidance::stays(const Peer& peer) const {
+  return peer.stays || times_in_vain(peer) >= params_.max_patiences;
 }
 
 /// The robots of a deadlock take turns from the last name on.
@@ -142,10 +146,11 @@ bool Avoidance::begin_aside(const Snapshot& snapshot,
   }
   const Snapshot known = exploration::with_company(snapshot, company_of(view));
   const auto map = exploration::planning_map(known, 0.0, params_.navigator.costs.robot_radius_m);
-  const ClearWay way{expected_way(map, *peer, claim_of(view, whom), params_.aside),
-                     guard_.keep_off_m(*peer) + map.resolution_m()};
+  const ClearPath path{expected_path(map, *peer, claim_of(view, whom), params_.aside),
+                       guard_.keep_off_m(*peer) + map.resolution_m() +
+                           params_.widen_m * static_cast<double>(times_in_vain(*peer))};
   const Eigen::Vector2d here_m = snapshot.latest.T_map_robot.position_m();
-  const auto place = passing_place(map, here_m, view.peers, way, params_.aside);
+  const auto place = passing_place(map, here_m, view.peers, path, params_.aside);
   if (!place) {
     ++encounters_.without_place;
     return false;
@@ -153,7 +158,7 @@ bool Avoidance::begin_aside(const Snapshot& snapshot,
   ++encounters_.made_way;
   navigator_.set_hypothetical_map(map, known);
   navigator_.follow_path_to(snapshot.latest.T_map_robot, place->at_m, place->cost_m);
-  aside_ = Aside{whom, time_s(snapshot), false};
+  aside_ = Aside{whom, time::robot_seconds(snapshot.latest.stamp), false};
   return true;
 }
 
@@ -163,9 +168,9 @@ bool Avoidance::make_way(const Snapshot& snapshot, const TeamView& view) {
   });
 }
 
-/// To the place, and there until the other one has passed; empty where it has.
+/// Drives to the place, and waits there until the other robot has passed; empty where it has.
 std::optional<Motion> Avoidance::go_aside(const Snapshot& snapshot, const TeamView& view) {
-  const double now_s = time_s(snapshot);
+  const double now_s = time::robot_seconds(snapshot.latest.stamp);
   if (now_s - aside_->since_s >= params_.max_aside_s) {
     return std::nullopt;
   }
@@ -182,7 +187,7 @@ std::optional<Motion> Avoidance::go_aside(const Snapshot& snapshot, const TeamVi
   return Stand{params_.look_again_s};
 }
 
-/// It waits for this robot no longer and does not come nearer.
+/// Whether it no longer waits for this robot, and does not come nearer.
 bool Avoidance::has_passed(const Snapshot& snapshot, const TeamView& view) const {
   const Peer* peer = find_peer(view, aside_->whom);
   const Claim* claim = claim_of(view, aside_->whom);

@@ -21,76 +21,82 @@ struct AvoidanceParams {
   exploration::NavigatorParams navigator;
   PeerGuardParams guard;
   StepAsideParams aside;
-  /// A robot that waits looks again so often.
+  /// Period at which a robot that waits checks again.
   double look_again_s = 0.4;
-  /// After so long a peer in the way is taken for one that stays: another goal, or another way, may
-  /// be the better one.
+  /// Time after which a peer in the way is assumed to stay: another goal, or another path, may be
+  /// better.
   double patience_s = 6.0;
-  /// One in the way for so often its patience, who has not moved this far meanwhile, stays.
+  /// A peer stays for which this robot has lost patience so many times, or made way in vain, and
+  /// which has not moved this far meanwhile. Farther than robots move to let each other pass.
   std::size_t max_patiences = 3;
-  double moved_m = 0.3;
-  /// Of a deadlock the robot whose name comes last makes way at once, and each before it so much
-  /// later, for the case that those behind it cannot.
+  double moved_m = 0.8;
+  /// Distance by which each vain attempt widens the path that is left clear for the peer: the maps
+  /// of the two differ, and so do their paths.
+  double widen_m = 0.1;
+  /// In a deadlock, the robot whose name comes last makes way at once, and each one before it this
+  /// much later, in case those behind it cannot.
   double turn_s = 8.0;
-  /// A robot that has made way stays there at least and at most so long.
+  /// Shortest and longest time that a robot that has made way stays aside.
   double min_aside_s = 2.0;
   double max_aside_s = 20.0;
-  /// It goes back so far from a peer that it has run into.
+  /// Distance that it backs off from a peer that it has run into.
   double back_off_m = 0.08;
 };
 
-/// What became of meeting others.
+/// Counts of what meeting others came to.
 struct Encounters {
-  std::size_t waits = 0;          ///< Times that a robot stood in the way.
-  std::size_t bumps = 0;          ///< Times that one was run into.
+  std::size_t waits = 0;          ///< Times that a robot was in the way.
+  std::size_t bumps = 0;          ///< Times that it has run into one.
   std::size_t deadlocks = 0;      ///< Times that those in the way waited in turn for this robot.
-  std::size_t made_way = 0;       ///< Times that this robot went out of the way.
-  std::size_t without_place = 0;  ///< Times that it would have, and there was no place.
+  std::size_t made_way = 0;       ///< Times that this robot made way.
+  std::size_t without_place = 0;  ///< Times that it found no place to make way to.
 };
 
-/// Keeps a robot off the others of its team: it waits until its way is free, and makes way for whom
-/// it holds up. Who makes way goes by name, so that no two wait for each other for ever.
+/// Keeps a robot off the others of its team: it waits until its path is free, and makes way for a
+/// robot that it blocks. Names decide who makes way, so that no two wait for each other for ever.
 class Avoidance {
  public:
   /// Throws std::invalid_argument for invalid parameters.
   explicit Avoidance(const AvoidanceParams& params);
 
-  /// Goes on with what it is at, letting others pass or waiting; empty where it is at nothing.
+  /// Continues to wait or to let others pass; empty where it does neither.
   std::optional<exploration::Motion> next(const pipeline::Snapshot& snapshot,
                                           const TeamView& view,
                                           exploration::MotionResult last);
-  /// The motion, or a wait where it would come too near to a peer.
+  /// Returns the motion, or a wait where the motion would come too near to a peer.
   exploration::Motion checked(const pipeline::Snapshot& snapshot,
                               const TeamView& view,
                               const exploration::Motion& motion);
-  /// Whether a motion that ended so has run into a peer.
+  /// Whether a motion with this result has run into a peer.
   bool has_run_into_peer(const pipeline::Snapshot& snapshot,
                          const TeamView& view,
                          exploration::MotionResult last) const;
-  /// The way back from there.
+  /// The motion away from that peer.
   exploration::Motion back_off();
   /// Makes way for a robot that waits for this one; false where it need not, or cannot.
   bool make_way(const pipeline::Snapshot& snapshot, const TeamView& view);
 
-  /// The others, of whom those who stay are walls, with the room that is left to them; the rest
-  /// will be gone.
+  /// The other robots for planning: those that stay are obstacles with the room that they need; the
+  /// rest is expected to move on.
   exploration::Company company(const TeamView& view) const;
 
   bool is_making_way() const { return aside_.has_value(); }
-  /// Who is in its way; empty for nobody.
+  /// Name of the robot in its way; empty for none.
   std::string waits_for() const;
-  /// Between the middles of the two robots, so that no motion comes too near.
+  /// Distance to keep between the middles of the two robots, metres, so that no motion comes too
+  /// near.
   double keep_off_m(const Peer& peer) const { return guard_.keep_off_m(peer); }
-  /// Whether no way leads past that peer: it stays where it is.
+  /// Whether that peer is expected to stay where it is, so that no path leads through it.
   bool stays(const Peer& peer) const;
   /// Whether those in its way wait in turn for this robot.
   bool is_in_deadlock() const { return held_ && held_->is_deadlock; }
-  /// Whether it has waited so long, or gone so far, that another goal may be better. Says so once.
+  /// Whether it has waited so long, or gone so far, that another goal may be better. Returns true
+  /// once.
   bool wants_another_goal();
   const Encounters& encounters() const { return encounters_; }
 
  private:
-  /// A motion that waits until nobody is in its way.
+  /// A motion that waits until no robot is in its way.
   struct Held {
     exploration::Motion motion;
     std::string by;
@@ -98,12 +104,12 @@ class Avoidance {
     double turn_s = 0.0;  ///< When its last turn to make way was; at first as `since_s`.
     bool is_deadlock = false;
   };
-  /// How often the robot has lost its patience with somebody who stood there.
+  /// Times that this robot has waited or made way in vain for a peer near this place.
   struct LostPatience {
     Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
     std::size_t times = 0;
   };
-  /// While another one passes.
+  /// State while another robot passes.
   struct Aside {
     std::string whom;
     double since_s = 0.0;
@@ -111,7 +117,8 @@ class Avoidance {
   };
 
   exploration::Motion wait(const pipeline::Snapshot& snapshot, const TeamView& view, double now_s);
-  void lose_patience(const TeamView& view);
+  void lose_patience(const TeamView& view, const std::string& whom);
+  std::size_t times_in_vain(const Peer& peer) const;
   bool is_its_turn(const std::vector<std::string>& robots, double now_s);
   bool begin_aside(const pipeline::Snapshot& snapshot,
                    const TeamView& view,
@@ -122,7 +129,7 @@ class Avoidance {
 
   AvoidanceParams params_;
   PeerGuard guard_;
-  exploration::Navigator navigator_;  ///< On the way aside.
+  exploration::Navigator navigator_;  ///< For the path aside.
   std::optional<Held> held_;
   std::optional<Aside> aside_;
   std::map<std::string, LostPatience> lost_patience_;  ///< By robot.

@@ -2,12 +2,12 @@
 #include "host/team_exploration/team_explorer.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <variant>
 
 #include "host/geometry/parameter_validator.hpp"
 #include "host/team_exploration/claims.hpp"
+#include "host/time/robot_seconds.hpp"
 
 namespace echomap::team_exploration {
 namespace {
@@ -19,10 +19,6 @@ using exploration::MotionResult;
 using exploration::Stand;
 using pipeline::Snapshot;
 
-double seconds_of(const Snapshot& snapshot) {
-  return std::chrono::duration<double>(snapshot.latest.stamp.time_since_epoch()).count();
-}
-
 /// What a goal is worth now that a part of its time has passed: no less than at first.
 double utility_of(const exploration::Viewpoint& goal, double passed_s) {
   if (goal.gain_per_s <= 0.0) {
@@ -33,7 +29,7 @@ double utility_of(const exploration::Viewpoint& goal, double passed_s) {
   return std::max(goal.gain_per_s, goal.view.gain_m2 / left_s);
 }
 
-/// Whether others have to be told of it.
+/// Whether a claim has changed so much that it is published again.
 bool differs(const std::optional<Claim>& one, const std::optional<Claim>& other, double share) {
   if (!one || !other) {
     return one.has_value() != other.has_value();
@@ -57,7 +53,7 @@ TeamExplorer::TeamExplorer(TeamBoard& board, const TeamExplorerParams& params)
 Motion TeamExplorer::next(const Snapshot& snapshot, MotionResult last) {
   view_ = without_silent(board_.view(), params_.max_silent_s);
   const Motion motion = decide(snapshot, last);
-  bid(seconds_of(snapshot), std::holds_alternative<Finished>(motion));
+  bid(time::robot_seconds(snapshot.latest.stamp), std::holds_alternative<Finished>(motion));
   return motion;
 }
 
@@ -76,7 +72,8 @@ Motion TeamExplorer::decide(const Snapshot& snapshot, MotionResult last) {
   return avoidance_.checked(snapshot, view_, explore(snapshot, last));
 }
 
-/// Another robot's claim of the same floor is better, and this robot has not decided by it yet.
+/// Whether another robot's claim of the same floor is better, and this robot has not decided by it
+/// yet.
 bool TeamExplorer::has_lost_goal() {
   constexpr double kSameM = 0.1;
   if (!claim_ || !frontier_.goal()) {
@@ -98,7 +95,7 @@ bool TeamExplorer::has_lost_goal() {
 }
 
 Motion TeamExplorer::explore(const Snapshot& snapshot, MotionResult last) {
-  const double now_s = seconds_of(snapshot);
+  const double now_s = time::robot_seconds(snapshot.latest.stamp);
   if (decide_again_s_ && now_s < *decide_again_s_ && view_.grid == decided_by_) {
     avoidance_.make_way(snapshot, view_);
     return Stand{params_.avoidance.look_again_s};
@@ -107,8 +104,9 @@ Motion TeamExplorer::explore(const Snapshot& snapshot, MotionResult last) {
   const Motion motion = frontier_.next(snapshot, last);
   decided_by_ = view_.grid;
   const auto* finished = std::get_if<Finished>(&motion);
-  const bool is_complete = finished != nullptr && finished->reason == FinishReason::kComplete;
-  if (!is_complete || are_all_idle(now_s)) {
+  const bool may_change =
+      finished != nullptr && (finished->reason == FinishReason::kComplete || is_blocked_for_now());
+  if (!may_change || are_all_idle(now_s)) {
     decide_again_s_.reset();
     idle_since_s_.reset();
     return motion;
@@ -117,8 +115,14 @@ Motion TeamExplorer::explore(const Snapshot& snapshot, MotionResult last) {
   return Stand{params_.avoidance.look_again_s};
 }
 
-/// Nobody claims anything, and that for a while: a claim may be on its way, and a robot that has
-/// left makes way for nobody.
+/// Whether it plans around a peer that may yet move on.
+bool TeamExplorer::is_blocked_for_now() const {
+  return std::ranges::any_of(
+      view_.peers, [&](const Peer& peer) { return !peer.stays && avoidance_.stays(peer); });
+}
+
+/// Whether no robot has claimed anything for a while: a claim may be on its way, and a robot that
+/// has left makes way for no other.
 bool TeamExplorer::are_all_idle(double now_s) {
   if (!view_.claims.empty()) {
     idle_since_s_.reset();
@@ -129,7 +133,7 @@ bool TeamExplorer::are_all_idle(double now_s) {
   return is_alone || now_s - *idle_since_s_ >= params_.idle_s;
 }
 
-/// For the goal it is on the way to; what it has claimed holds while it looks from there. A robot
+/// Claims the goal that the robot drives to; the claim holds while it looks from there. A robot
 /// that has finished or waits for others to finish claims nothing.
 void TeamExplorer::bid(double now_s, bool has_finished) {
   std::optional<Claim> claim = has_finished || decide_again_s_ ? std::nullopt : claim_;

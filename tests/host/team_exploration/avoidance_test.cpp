@@ -25,11 +25,22 @@ AvoidanceParams named(const std::string& robot) {
   return params;
 }
 
+Pose2 step_of(const Motion& motion) {
+  if (const auto* turn = std::get_if<exploration::Turn>(&motion)) {
+    return {0.0, 0.0, turn->angle_rad};
+  }
+  if (const auto* drive = std::get_if<exploration::Drive>(&motion)) {
+    return {drive->distance_m, 0.0, 0.0};
+  }
+  const auto& roll = std::get<Roll>(motion);
+  return {roll.forward_m_per_s * roll.for_s, 0.0, roll.turn_rad_per_s * roll.for_s};
+}
+
 /// A robot at x = 0.5 m of the corridor with a niche, face to face with another one.
 class AvoidanceTest : public ::testing::Test {
  protected:
   pipeline::Snapshot at_s(double now_s) {
-    return tests::snapshot_of(tests::corridor_with_niche(), {tests::pose_at(now_s, T_map_robot)});
+    return tests::snapshot_of(floor, {tests::pose_at(now_s, T_map_robot)});
   }
   /// The other one wants to come past, and waits for `whom`.
   void meet(const std::string& robot, const std::string& whom) {
@@ -41,6 +52,19 @@ class AvoidanceTest : public ::testing::Test {
         .value_or(Motion{tests::kRollAhead});
   }
 
+  /// Drives as `avoidance` wants until it waits there; answers how far from the hall's middle.
+  double drive_aside(Avoidance& avoidance, double now_s) {
+    for (int i = 0; i < 50; ++i) {
+      const Motion motion = next(avoidance, now_s + 0.1 * i);
+      if (std::holds_alternative<Stand>(motion)) {
+        break;
+      }
+      T_map_robot = T_map_robot * step_of(motion);
+    }
+    return std::abs(T_map_robot.y_m());
+  }
+
+  mapping::OccupancyGrid floor = tests::corridor_with_niche();
   Pose2 T_map_robot{1.6, 0.0, 0.0};
   TeamView view;
 };
@@ -86,7 +110,7 @@ TEST_F(AvoidanceTest, TakesWhoNeverMovesForOneWhoStaysUntilHeMoves) {
     next(avoidance, 10.0 * i + 7.0);
   }
   EXPECT_TRUE(avoidance.stays(view.peers.front()));
-  view.peers = {peer_at("b", {2.2, 0.0, 0.0})};
+  view.peers = {peer_at("b", {2.7, 0.0, 0.0})};
   EXPECT_FALSE(avoidance.stays(view.peers.front()));
   view.peers.front().stays = true;
   EXPECT_TRUE(avoidance.stays(view.peers.front()));
@@ -146,6 +170,29 @@ TEST_F(AvoidanceTest, StaysAsideUntilTheOtherHasPassed) {
   EXPECT_TRUE(avoidance.wants_another_goal());
 }
 
+/// Both let the other one pass, and neither does: so they stood for 95 minutes in `ward`, seed 9.
+TEST_F(AvoidanceTest, LeavesMoreRoomEachTimeItMakesWayInVainAndThenTakesTheOtherForOneWhoStays) {
+  floor = tests::open_hall();
+  Avoidance avoidance(named("c"));
+  view.peers = {peer_at("b", {1.35, 0.0, 0.0})};
+  view.claims = {{"b", {3.5, 0.0}, 0.1, 2.0, "c"}};
+  std::vector<double> aside_m;
+  double now_s = 1.0;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(avoidance.stays(view.peers.front())) << i;
+    T_map_robot = Pose2(1.6, 0.0, std::numbers::pi);
+    avoidance.checked(at_s(now_s), view, tests::kRollAhead);
+    ASSERT_TRUE(avoidance.is_making_way()) << i;
+    aside_m.push_back(drive_aside(avoidance, now_s));
+    now_s += 25.0;
+    next(avoidance, now_s);
+    EXPECT_FALSE(avoidance.is_making_way()) << i;
+  }
+  EXPECT_TRUE(avoidance.stays(view.peers.front()));
+  EXPECT_GT(aside_m[1], aside_m[0] + 0.05);
+  EXPECT_GT(aside_m[2], aside_m[1] + 0.05);
+}
+
 TEST_F(AvoidanceTest, MakesWayForWhomItHoldsUp) {
   Avoidance avoidance(named("a"));
   view.peers = {peer_at("b", {1.9, 0.0, std::numbers::pi})};
@@ -156,7 +203,7 @@ TEST_F(AvoidanceTest, MakesWayForWhomItHoldsUp) {
   EXPECT_TRUE(avoidance.is_making_way());
 }
 
-TEST_F(AvoidanceTest, TellsAPeerFromAWallWhenItBumps) {
+TEST_F(AvoidanceTest, DistinguishesAPeerFromAWallWhenItBumps) {
   const Avoidance avoidance(named("a"));
   view.peers = {peer_at("b", {3.5, 0.0, 0.0})};
   EXPECT_FALSE(avoidance.has_run_into_peer(at_s(1.0), view, MotionResult::kBumped));
