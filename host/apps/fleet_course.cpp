@@ -26,24 +26,24 @@ constexpr double kEnoughShare = 0.9;
 /// Places the map by all stops that the truth knows. Answers whether there is one.
 bool place_by_truth(const std::vector<pipeline::StampedPose>& ends,
                     const std::vector<evaluation::TruePose>& truth,
-                    JudgedMap& judged) {
+                    ScoredMap& scored) {
   const auto is_known = [&](const pipeline::StampedPose& end) {
     return evaluation::true_pose_at(truth, end.stamp).has_value();
   };
   if (std::ranges::none_of(ends, is_known)) {
     return false;
   }
-  judged.T_world_map = evaluation::fit_aligned(ends, truth);
+  scored.T_world_map = evaluation::fit_aligned(ends, truth);
   double squares_m2 = 0.0;
   int known = 0;
   for (const pipeline::StampedPose& end : ends) {
     if (const auto T_world_end = evaluation::true_pose_at(truth, end.stamp)) {
-      const Pose2 T_world_placed = judged.T_world_map * end.T_map_robot;
+      const Pose2 T_world_placed = scored.T_world_map * end.T_map_robot;
       squares_m2 += (T_world_placed.position_m() - T_world_end->position_m()).squaredNorm();
       ++known;
     }
   }
-  judged.own_error_m = std::sqrt(squares_m2 / known);
+  scored.own_error_m = std::sqrt(squares_m2 / known);
   return true;
 }
 
@@ -60,24 +60,24 @@ std::vector<bool> free_cells(const mapping::OccupancyGrid& grid,
   return is_free;
 }
 
-bool is_of(const JudgedMap& map, const std::string& robot) {
+bool is_of(const ScoredMap& map, const std::string& robot) {
   return map.name.substr(0, map.name.rfind('.')) == robot;
 }
 
 /// That which the robot was making at that time; null before its first stop.
-const JudgedMap* map_at(const std::vector<JudgedMap>& maps,
+const ScoredMap* map_at(const std::vector<ScoredMap>& maps,
                         const std::string& robot,
                         double now_s) {
-  const JudgedMap* last = nullptr;
-  for (const JudgedMap& map : maps) {
+  const ScoredMap* last = nullptr;
+  for (const ScoredMap& map : maps) {
     last = is_of(map, robot) && map.stop_s.front() <= now_s ? &map : last;
   }
   return last;
 }
 
-bool is_wrong(const LoggedJoin& join, const std::vector<JudgedMap>& maps) {
-  const JudgedMap* own = find_map(maps, join.own_map);
-  const JudgedMap* peer = find_map(maps, join.peer_map);
+bool is_wrong(const LoggedJoin& join, const std::vector<ScoredMap>& maps) {
+  const ScoredMap* own = find_map(maps, join.own_map);
+  const ScoredMap* peer = find_map(maps, join.peer_map);
   if (own == nullptr || peer == nullptr) {
     return false;
   }
@@ -91,7 +91,7 @@ bool holds_at(const LoggedJoin& join, double now_s) {
   return join.from_s <= now_s && (!join.until_s || now_s < *join.until_s);
 }
 
-void add_seen(const JudgedMap& map, double now_s, std::vector<bool>& seen) {
+void add_seen(const ScoredMap& map, double now_s, std::vector<bool>& seen) {
   const auto stops = std::upper_bound(map.stop_s.begin(), map.stop_s.end(), now_s);
   if (stops == map.stop_s.begin()) {
     return;
@@ -102,15 +102,15 @@ void add_seen(const JudgedMap& map, double now_s, std::vector<bool>& seen) {
 }
 
 /// Of the floor, what the member's map and those joined to it had.
-double member_share(const MemberReport& member, const std::vector<JudgedMap>& maps, double now_s) {
-  const JudgedMap* own = map_at(maps, member.robot, now_s);
+double member_share(const MemberReport& member, const std::vector<ScoredMap>& maps, double now_s) {
+  const ScoredMap* own = map_at(maps, member.robot, now_s);
   if (own == nullptr) {
     return 0.0;
   }
   std::vector<bool> seen;
   add_seen(*own, now_s, seen);
   for (const LoggedJoin& join : member.joins) {
-    const JudgedMap* peer = find_map(maps, join.peer_map);
+    const ScoredMap* peer = find_map(maps, join.peer_map);
     if (peer != nullptr && join.own_map == own->name && holds_at(join, now_s) &&
         !is_wrong(join, maps)) {
       add_seen(*peer, now_s, seen);
@@ -121,10 +121,10 @@ double member_share(const MemberReport& member, const std::vector<JudgedMap>& ma
 }
 
 /// When anything of it changed: stops and joins, in their order.
-std::vector<double> times_s(const std::vector<JudgedMap>& maps,
+std::vector<double> times_s(const std::vector<ScoredMap>& maps,
                             const std::vector<MemberReport>& members) {
   std::vector<double> times_s;
-  for (const JudgedMap& map : maps) {
+  for (const ScoredMap& map : maps) {
     times_s.insert(times_s.end(), map.stop_s.begin(), map.stop_s.end());
   }
   for (const MemberReport& member : members) {
@@ -139,13 +139,13 @@ std::vector<double> times_s(const std::vector<JudgedMap>& maps,
   return times_s;
 }
 
-std::optional<double> joined_s(const std::vector<JudgedMap>& maps,
+std::optional<double> joined_s(const std::vector<ScoredMap>& maps,
                                const std::vector<MemberReport>& members) {
   constexpr double kEnd = std::numeric_limits<double>::infinity();
-  const JudgedMap* own = map_at(maps, members.front().robot, kEnd);
+  const ScoredMap* own = map_at(maps, members.front().robot, kEnd);
   double last_s = 0.0;
   for (auto member = members.begin() + 1; member != members.end(); ++member) {
-    const JudgedMap* peer = map_at(maps, member->robot, kEnd);
+    const ScoredMap* peer = map_at(maps, member->robot, kEnd);
     const auto& joins = members.front().joins;
     const auto join = std::ranges::find_if(joins, [&](const LoggedJoin& one) {
       return own != nullptr && peer != nullptr && !one.until_s && one.own_map == own->name &&
@@ -161,38 +161,38 @@ std::optional<double> joined_s(const std::vector<JudgedMap>& maps,
 
 }  // namespace
 
-const JudgedMap* find_map(const std::vector<JudgedMap>& maps, const std::string& name) {
-  const auto found = std::ranges::find(maps, name, &JudgedMap::name);
+const ScoredMap* find_map(const std::vector<ScoredMap>& maps, const std::string& name) {
+  const auto found = std::ranges::find(maps, name, &ScoredMap::name);
   return found == maps.end() ? nullptr : &*found;
 }
 
 RelativePoseError relative_pose_error(const Pose2& T_own_peer,
-                                      const JudgedMap& own,
-                                      const JudgedMap& peer) {
+                                      const ScoredMap& own,
+                                      const ScoredMap& peer) {
   const Pose2 T_true_peer = (own.T_world_map.inverse() * peer.T_world_map).inverse() * T_own_peer;
   return {(T_true_peer * peer.last_m - peer.last_m).norm(),
           std::abs(T_true_peer.heading_rad()),
           own.own_error_m + peer.own_error_m};
 }
 
-std::optional<JudgedMap> judge_map(const team_map::RobotRecord& record,
+std::optional<ScoredMap> score_map(const team_map::RobotRecord& record,
                                    const std::vector<evaluation::TruePose>& truth,
                                    const std::vector<Eigen::Vector2d>& floor_m) {
   const std::size_t stops = std::min(record.submaps.size(), record.T_map_submaps.size());
   team_map::CalibratedSubmaps calibrated;
   calibrated.take(record.submaps);
   const std::vector<team_map::Submap>& submaps = calibrated.submaps();
-  JudgedMap judged;
-  judged.name = record.robot;
+  ScoredMap scored;
+  scored.name = record.robot;
   if (!place_by_truth(trajectory_of(team_map::stop_ends(
                           submaps,
                           {record.T_map_submaps.begin(),
                            record.T_map_submaps.begin() + static_cast<std::ptrdiff_t>(stops)})),
                       truth,
-                      judged)) {
+                      scored)) {
     return std::nullopt;
   }
-  judged.last_m = record.T_map_submaps[stops - 1].position_m();
+  scored.last_m = record.T_map_submaps[stops - 1].position_m();
   mapping::SonarMapperParams params = team_map::TeamMapParams().mapper;
   params.surfaces.beam_half_angle_rad = record.beam_half_angle_rad;
   team_map::MergedMapper mapper(params);
@@ -202,14 +202,14 @@ std::optional<JudgedMap> judge_map(const team_map::RobotRecord& record,
         team_map::placed({submaps.begin(), submaps.begin() + count},
                          {record.T_map_submaps.begin(), record.T_map_submaps.begin() + count});
     const auto merged = mapper.merge({{record.robot, record.body_radius_m, placed}});
-    judged.stop_s.push_back(submaps[i - 1].end_s);
-    judged.seen.push_back(free_cells(*merged.grid, judged.T_world_map, floor_m));
-    judged.middle_m += record.T_map_submaps[i - 1].position_m() / static_cast<double>(stops);
+    scored.stop_s.push_back(submaps[i - 1].end_s);
+    scored.seen.push_back(free_cells(*merged.grid, scored.T_world_map, floor_m));
+    scored.middle_m += record.T_map_submaps[i - 1].position_m() / static_cast<double>(stops);
   }
-  return judged;
+  return scored;
 }
 
-FleetCourse judge_course(const std::vector<JudgedMap>& maps,
+FleetCourse score_course(const std::vector<ScoredMap>& maps,
                          const std::vector<MemberReport>& members) {
   FleetCourse course;
   if (members.empty()) {

@@ -15,8 +15,8 @@
 
 namespace echomap::apps {
 
-/// One map of a member, by the truth.
-struct JudgedMap {
+/// One map of a member of a fleet, scored against the truth.
+struct ScoredMap {
   std::string name;
   /// The placement that brings all its stops nearest to where they truly were
   /// (evaluation::fit_aligned),
@@ -29,10 +29,10 @@ struct JudgedMap {
   std::vector<std::vector<bool>> seen;
 };
 
-/// Where that map truly lies, and when it had which of the floor `floor_m`, given by the centres of
-/// its cells in the world frame. Poses of its graph are those of the end. Empty without a stop, or
-/// where the truth knows none of them.
-std::optional<JudgedMap> judge_map(const team_map::RobotRecord& record,
+/// Scores a map: where it truly lies, and when it had which of the floor `floor_m`, given by the
+/// centres of its cells in the world frame. Poses of its graph are those of the end. Empty without
+/// a stop, or where the truth knows none of them.
+std::optional<ScoredMap> score_map(const team_map::RobotRecord& record,
                                    const std::vector<evaluation::TruePose>& truth,
                                    const std::vector<Eigen::Vector2d>& floor_m);
 
@@ -41,16 +41,16 @@ std::optional<JudgedMap> judge_map(const team_map::RobotRecord& record,
 struct RelativePoseError {
   double position_m = 0.0;
   double heading_rad = 0.0;
-  double own_errors_m = 0.0;  ///< JudgedMap::own_error_m of both, added up.
+  double own_errors_m = 0.0;  ///< ScoredMap::own_error_m of both, added up.
 };
 
 /// That of `T_own_peer`.
 RelativePoseError relative_pose_error(const geometry::Pose2& T_own_peer,
-                                      const JudgedMap& own,
-                                      const JudgedMap& peer);
+                                      const ScoredMap& own,
+                                      const ScoredMap& peer);
 
 /// The map of that name; null where there is none.
-const JudgedMap* find_map(const std::vector<JudgedMap>& maps, const std::string& name);
+const ScoredMap* find_map(const std::vector<ScoredMap>& maps, const std::string& name);
 
 /// How a fleet came to one map.
 struct FleetCourse {
@@ -65,8 +65,9 @@ struct FleetCourse {
   double floor_seen = 0.0;  ///< Share of it at the end, for the member that has most.
 };
 
-/// `maps` of all members, those of one in the order in which it made them.
-FleetCourse judge_course(const std::vector<JudgedMap>& maps,
+/// Scores how a fleet came to one map. `maps` are those of all members, those of one in the order
+/// in which it made them.
+FleetCourse score_course(const std::vector<ScoredMap>& maps,
                          const std::vector<MemberReport>& members);
 
 }  // namespace echomap::apps

@@ -320,7 +320,7 @@ ExitCode run_fleet_join(const FleetJoinOptions& options) {
   mqtt::MessageBus& bus = rounds ? static_cast<mqtt::MessageBus&>(*rounds) : *connection.bus;
   FleetMember member(robot, bus, params);
   for (const auto& [peer, relative] : known) {
-    member.tell(peer, relative);
+    member.set_known_pose(peer, relative);
   }
   follow_bus(member, rounds ? &*rounds : nullptr, *connection.bus);
   open_port(robot, options.connection, run.strategy, summary);

@@ -89,14 +89,14 @@ MemberReport member_report(const fs::path& out, const std::string& robot) {
 using Truths = std::map<std::string, std::optional<evaluation::Truth>>;
 
 /// All maps of a fleet, by the truth. The floor is that in the first robot's reach.
-std::vector<JudgedMap> judged_maps(const fleet::FleetState& state,
+std::vector<ScoredMap> scored_maps(const fleet::FleetState& state,
                                    const Truths& truths,
                                    const std::string& first) {
-  std::vector<JudgedMap> judged;
+  std::vector<ScoredMap> scored;
   const auto first_truth = truths.find(first);
   if (first_truth == truths.end() || !first_truth->second ||
       first_truth->second->trajectory.empty()) {
-    return judged;
+    return scored;
   }
   std::vector<Eigen::Vector2d> floor_m;
   for (const fleet::FleetRobot& robot : state.robots) {
@@ -113,12 +113,12 @@ std::vector<JudgedMap> judged_maps(const fleet::FleetState& state,
     for (const fleet::FleetMap& map : robot.maps) {
       team_map::RobotRecord record = *map.record;
       record.robot = fleet_member::map_name(robot.name, map.number);
-      if (auto one = judge_map(record, truth->trajectory, floor_m)) {
-        judged.push_back(*std::move(one));
+      if (auto one = score_map(record, truth->trajectory, floor_m)) {
+        scored.push_back(*std::move(one));
       }
     }
   }
-  return judged;
+  return scored;
 }
 
 ordered_json figure_or_null(const std::optional<double>& value) {
@@ -169,14 +169,14 @@ ordered_json fleet_report(const std::vector<std::string>& robots,
   for (const fleet::FleetRobot& member : state.robots) {
     truths.emplace(member.name, truth_of(out, member.name));
   }
-  const std::vector<JudgedMap> judged = judged_maps(state, truths, robots.front());
+  const std::vector<ScoredMap> scored = scored_maps(state, truths, robots.front());
   const std::string first_map = latest_map(state, robots.front());
   auto members = ordered_json::array();
   std::vector<MemberReport> reports;
   for (const fleet::FleetRobot& member : state.robots) {
     const auto relative = picture.relative_pose(first_map, member);
-    const JudgedMap* first = find_map(judged, first_map);
-    const JudgedMap* own = find_map(judged, fleet_member::map_name(member.name, member.map_number));
+    const ScoredMap* first = find_map(scored, first_map);
+    const ScoredMap* own = find_map(scored, fleet_member::map_name(member.name, member.map_number));
     const bool is_scored = relative && first != nullptr && own != nullptr;
     reports.push_back(member_report(out, member.name));
     members.push_back({{"robot", member.name},
@@ -192,7 +192,7 @@ ordered_json fleet_report(const std::vector<std::string>& robots,
   return {{"robots", members},
           {"joins", counts.joins},
           {"joins_undone", counts.undone},
-          {"course", judged.empty() ? ordered_json() : to_json(judge_course(judged, reports))},
+          {"course", scored.empty() ? ordered_json() : to_json(score_course(scored, reports))},
           {"objects", state.objects},
           {"seconds", last_stop_s(state)},
           {"bytes_per_s_per_robot", bytes_per_s_per_robot(state, watch.statistics().bytes)},

@@ -28,7 +28,7 @@ const char* words_of(const fleet::FleetRobot& robot) {
     case fleet::Attendance::kAlive:
       break;
   }
-  return robot.is_heard ? "alive" : "silent";
+  return robot.has_reported ? "alive" : "silent";
 }
 
 std::string words_of_map(const fleet::FleetRobot& robot, const team_map::TeamComponent* component) {

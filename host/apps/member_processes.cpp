@@ -68,9 +68,10 @@ bool MemberProcesses::has_lost_one() const {
 
 bool MemberProcesses::has_lost_one_unheard(const fleet::FleetState& state) const {
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    const bool is_heard = std::ranges::any_of(
-        state.robots, [&](const auto& robot) { return robot.name == names_[i] && robot.is_heard; });
-    if (statuses_[i] && !is_heard) {
+    const bool has_reported = std::ranges::any_of(state.robots, [&](const auto& robot) {
+      return robot.name == names_[i] && robot.has_reported;
+    });
+    if (statuses_[i] && !has_reported) {
       return true;
     }
   }

@@ -25,8 +25,8 @@ void validate(const FleetExchangeParams& params) {
       .positive_finite("pose_repeat_s", params.pose_repeat_s)
       .nonnegative_finite("compare_after_s", params.compare_after_s)
       .positive_finite("confirm_within_s", params.confirm_within_s)
-      .nonnegative_finite("ask_after_s", params.ask_after_s)
-      .positive_finite("ask_period_s", params.ask_period_s)
+      .nonnegative_finite("request_after_s", params.request_after_s)
+      .positive_finite("request_period_s", params.request_period_s)
       .nonnegative_finite("answer_period_s", params.answer_period_s)
       .nonnegative_finite("relay_step_s", params.relay_step_s);
 }

@@ -22,7 +22,7 @@ using fleet_messages::TopicKind;
 
 namespace {
 
-/// Between two comparisons of what should be there and what is.
+/// Period of comparing what the fleet has with what it should have.
 constexpr double kLookPeriodS = 1.0;
 
 FleetMessage message_of(const FleetExchangeParams& params,
@@ -67,7 +67,7 @@ FleetExchange::FleetExchange(mqtt::MessageBus& bus, const FleetExchangeParams& p
       missing_(params) {
   load();
   bus_.subscribe(fleet_messages::fleet_filter(params_.fleet));
-  // What an earlier start of this host has claimed is not claimed any more.
+  // Claims of an earlier start of this host are void.
   set_claims({});
 }
 
@@ -156,7 +156,7 @@ ExchangeStatistics FleetExchange::statistics() const {
   return {publications_.statistics(),
           knowledge_.statistics(),
           publications_.waiting(),
-          asks_,
+          requests_,
           relays_.count(),
           unsaved_};
 }
@@ -165,7 +165,7 @@ void FleetExchange::load() {
   for (const std::string& payload : folder_.load()) {
     const auto decoded = fleet_messages::decode(payload);
     const auto* message = std::get_if<FleetMessage>(&decoded);
-    // Others are damaged, or of another robot.
+    // The others are damaged or of another robot.
     if (message != nullptr && message->sender.robot == params_.robot) {
       adopt(fleet_messages::topic_of(params_.fleet, *message, payload), *message, payload);
     }
@@ -188,22 +188,23 @@ void FleetExchange::take_in() {
       save(found.decoded.message.body, found.payload);
     }
   }
-  for (const HeardAsk& heard : knowledge_.take_asks()) {
-    answer(heard);
+  for (const ReceivedRequest& received : knowledge_.take_requests()) {
+    answer(received);
   }
   constexpr std::uint32_t kLastBoot = std::numeric_limits<std::uint32_t>::max();
-  if (knowledge_.kept_boot_id() > params_.boot_id) {
-    begin_later_boot(knowledge_.kept_boot_id() + (knowledge_.kept_boot_id() < kLastBoot ? 1 : 0));
+  if (knowledge_.retained_boot_id() > params_.boot_id) {
+    begin_later_boot(knowledge_.retained_boot_id() +
+                     (knowledge_.retained_boot_id() < kLastBoot ? 1 : 0));
   }
 }
 
-/// A clock that was set back, or not set yet, has given this start a number that was used before:
-/// what was said with it counts for nothing and is said again.
+/// A clock that was set back, or not set yet, has given this start a boot id that was used before:
+/// its messages are ignored and have to be sent again.
 void FleetExchange::begin_later_boot(std::uint32_t boot_id) {
   params_.boot_id = boot_id;
   presence_sent_s_.reset();
   sent_pose_.reset();
-  publications_.say_again();
+  publications_.resend();
 }
 
 bool FleetExchange::adopt(const FleetTopic& topic,
@@ -228,18 +229,18 @@ bool FleetExchange::adopt(const FleetTopic& topic,
   return true;
 }
 
-void FleetExchange::answer(const HeardAsk& heard) {
-  if (heard.ask.robot != params_.robot) {
-    relays_.note(heard, knowledge_, now_s_);
+void FleetExchange::answer(const ReceivedRequest& received) {
+  if (received.request.robot != params_.robot) {
+    relays_.note(received, knowledge_, now_s_);
     return;
   }
-  for (const ContentHash& object : heard.ask.objects) {
+  for (const ContentHash& object : received.request.objects) {
     for (const TopicKind kind : {TopicKind::kSubmap, TopicKind::kSource}) {
       publications_.repeat(
           fleet_messages::format_topic({params_.fleet, params_.robot, kind, object}), now_s_);
     }
   }
-  if (heard.ask.everything_else == 1) {
+  if (received.request.everything_else == 1) {
     publications_.repeat_all(
         [](TopicKind kind) { return is_in_latest_set(kind) || kind == TopicKind::kManifest; },
         now_s_);
@@ -249,9 +250,9 @@ void FleetExchange::answer(const HeardAsk& heard) {
 void FleetExchange::look_around() {
   publications_.compare(now_s_);
   relays_.update(knowledge_, publications_, now_s_);
-  if (const auto ask = missing_.next(knowledge_, now_s_)) {
-    publish(*ask, Worth::kUrgent);
-    ++asks_;
+  if (const auto request = missing_.next(knowledge_, now_s_)) {
+    publish(*request, Worth::kUrgent);
+    ++requests_;
   }
 }
 

@@ -30,7 +30,7 @@ void FleetKnowledge::take(const mqtt::Message& message, double now_s) {
   ++statistics_.messages;
   statistics_.bytes += message.topic.size() + message.payload.size();
   if (message.payload.empty()) {
-    return;  // The broker was told to forget what it kept on the topic.
+    return;  // The retained message of the topic was deleted.
   }
   const auto decoded = fleet_messages::decode(message.topic, message.payload);
   if (const auto* reason = std::get_if<RefusedReason>(&decoded)) {
@@ -51,14 +51,16 @@ void FleetKnowledge::take_own(const fleet_messages::MessageBody& body,
                               const ContentHash& hash,
                               double now_s) {
   RobotKnowledge& own = knowledge_of(robot_);
-  own.hear(now_s);
+  own.set_last_seen(now_s);
   if (fleet_messages::is_object(fleet_messages::kind_of(body)) && objects_.insert(hash).second) {
     object_set_.reset();
   }
   revision_ += own.take(body, hash, now_s) ? 1 : 0;
 }
 
-std::vector<HeardAsk> FleetKnowledge::take_asks() { return std::exchange(asks_, {}); }
+std::vector<ReceivedRequest> FleetKnowledge::take_requests() {
+  return std::exchange(requests_, {});
+}
 
 std::vector<FoundPayload> FleetKnowledge::take_found_own() { return std::exchange(found_own_, {}); }
 
@@ -112,47 +114,46 @@ RobotKnowledge& FleetKnowledge::knowledge_of(const std::string& robot) {
 void FleetKnowledge::take_foreign(const TopicMessage& decoded,
                                   const mqtt::Message& message,
                                   double now_s) {
-  const FleetMessage& said = decoded.message;
+  const FleetMessage& fleet_message = decoded.message;
   const bool is_relayed = decoded.topic.kind == TopicKind::kRelay;
   const ContentHash hash = fleet_messages::content_hash(message.payload);
-  if (is_relayed && !accepts_relay(said, hash, now_s)) {
+  if (is_relayed && !accepts_relay(fleet_message, hash, now_s)) {
     ++statistics_.ignored_relays;
     return;
   }
-  if (!has_room_for(said)) {
+  if (!has_room_for(fleet_message)) {
     refuse(RefusedReason::kOverQuota);
     return;
   }
-  const std::string topic =
-      is_relayed
-          ? fleet_messages::format_topic(fleet_messages::topic_of(fleet_, said, message.payload))
-          : message.topic;
-  auto& stored = stored_[said.sender.robot];
+  const std::string topic = is_relayed ? fleet_messages::format_topic(fleet_messages::topic_of(
+                                             fleet_, fleet_message, message.payload))
+                                       : message.topic;
+  auto& stored = stored_[fleet_message.sender.robot];
   if (const auto known = stored.find(topic);
       known != stored.end() && known->second.payload == message.payload) {
-    known->second.heard_s = now_s;
+    known->second.last_received_s = now_s;
   }
   if (!is_new(decoded, topic, message.is_retained || is_relayed)) {
     return;
   }
-  const TopicKind kind = fleet_messages::kind_of(said.body);
+  const TopicKind kind = fleet_messages::kind_of(fleet_message.body);
   if (is_passed_on(kind) || is_in_latest_set(kind)) {
-    stored[topic] = {kind, said.sender.boot_id, message.payload, now_s};
+    stored[topic] = {kind, fleet_message.sender.boot_id, message.payload, now_s};
   }
-  RobotKnowledge& author = knowledge_of(said.sender.robot);
+  RobotKnowledge& author = knowledge_of(fleet_message.sender.robot);
   if (!is_relayed) {
-    author.note_boot(said.sender.boot_id);
+    author.note_boot(fleet_message.sender.boot_id);
   }
   if (message.is_retained && !is_relayed) {
-    author.hear_of(now_s);
+    author.set_first_seen(now_s);
   } else if (!is_relayed) {
-    author.hear(now_s);
+    author.set_last_seen(now_s);
   }
-  const auto* presence = std::get_if<fleet_messages::PresenceMessage>(&said.body);
-  if (presence != nullptr && !is_last_will(said) && !message.is_retained && !is_relayed) {
-    compare_latest(said.sender, *presence);
+  const auto* presence = std::get_if<fleet_messages::PresenceMessage>(&fleet_message.body);
+  if (presence != nullptr && !is_last_will(fleet_message) && !message.is_retained && !is_relayed) {
+    compare_latest(fleet_message.sender, *presence);
   }
-  take_new(said, hash, now_s);
+  take_new(fleet_message, hash, now_s);
 }
 
 void FleetKnowledge::take_new(const FleetMessage& message, const ContentHash& hash, double now_s) {
@@ -160,12 +161,12 @@ void FleetKnowledge::take_new(const FleetMessage& message, const ContentHash& ha
   if (is_last_will(message)) {
     author.lose();
     if (author.presence()) {
-      return;  // It says more than the will, which was made before.
+      return;  // It is newer than the will and holds more.
     }
   }
-  if (const auto* ask = std::get_if<fleet_messages::AskMessage>(&message.body)) {
+  if (const auto* request = std::get_if<fleet_messages::AskMessage>(&message.body)) {
     if (!robot_.empty()) {
-      asks_.push_back({message.sender.robot, *ask});
+      requests_.push_back({message.sender.robot, *request});
     }
     return;
   }
@@ -195,13 +196,13 @@ void FleetKnowledge::compare_latest(const fleet_messages::Sender& sender,
 }
 
 void FleetKnowledge::take_found(const TopicMessage& decoded, const mqtt::Message& message) {
-  const FleetMessage& said = decoded.message;
-  const TopicKind kind = fleet_messages::kind_of(said.body);
+  const FleetMessage& fleet_message = decoded.message;
+  const TopicKind kind = fleet_messages::kind_of(fleet_message.body);
   const bool is_found = fleet_messages::is_object(kind)
                             ? !has(fleet_messages::content_hash(message.payload))
                             : kind == TopicKind::kGraph;
   if (message.is_retained) {
-    kept_boot_id_ = std::max(kept_boot_id_, said.sender.boot_id);
+    retained_boot_id_ = std::max(retained_boot_id_, fleet_message.sender.boot_id);
   }
   if (is_found && message.is_retained) {
     found_own_.push_back({decoded, message.payload});
@@ -211,24 +212,25 @@ void FleetKnowledge::take_found(const TopicMessage& decoded, const mqtt::Message
 bool FleetKnowledge::is_new(const TopicMessage& decoded,
                             const std::string& topic,
                             bool is_of_the_past) {
-  const FleetMessage& said = decoded.message;
-  if (fleet_messages::is_object(fleet_messages::kind_of(said.body))) {
+  const FleetMessage& fleet_message = decoded.message;
+  if (fleet_messages::is_object(fleet_messages::kind_of(fleet_message.body))) {
     return true;  // Its name is its hash: nobody can send an older one.
   }
-  if (is_last_will(said)) {
-    // It was made before all that its author has said since, and the broker sends it after that.
-    const bool is_of_this_boot = said.sender.boot_id >= guard_.boot_id(said.sender.robot);
+  if (is_last_will(fleet_message)) {
+    // It was made before all other messages of its boot, and the broker sends it after them.
+    const bool is_of_this_boot =
+        fleet_message.sender.boot_id >= guard_.boot_id(fleet_message.sender.robot);
     if (!is_of_this_boot && !is_of_the_past) {
       refuse(RefusedReason::kOldBoot);
     }
     return is_of_this_boot;
   }
   const bool is_relayed = decoded.topic.kind == TopicKind::kRelay;
-  if (is_relayed && !guard_.is_news(topic, said.sender)) {
+  if (is_relayed && !guard_.is_news(topic, fleet_message.sender)) {
     ++statistics_.outdated;
     return false;
   }
-  switch ((is_relayed ? relays_guard_ : guard_).take(topic, said.sender, is_of_the_past)) {
+  switch ((is_relayed ? relays_guard_ : guard_).take(topic, fleet_message.sender, is_of_the_past)) {
     case Freshness::kNew:
       return true;
     case Freshness::kDuplicate:

@@ -18,64 +18,66 @@
 
 namespace echomap::fleet {
 
-/// Whether presence messages have the hash of the latest message of such a topic.
+/// Whether the hash `latest_set` of presence messages covers the latest message of this kind.
 constexpr bool is_in_latest_set(fleet_messages::TopicKind kind) {
   using fleet_messages::TopicKind;
   return kind == TopicKind::kGraph || kind == TopicKind::kClaim || kind == TopicKind::kAlignment ||
          kind == TopicKind::kSearch;
 }
 
-/// Whether others pass such a message on of a robot that is gone.
+/// Whether other robots relay messages of this kind for a robot that is gone.
 constexpr bool is_passed_on(fleet_messages::TopicKind kind) {
   using fleet_messages::TopicKind;
   return kind == TopicKind::kPresence || kind == TopicKind::kManifest ||
          kind == TopicKind::kGraph || fleet_messages::is_object(kind);
 }
 
-/// Robots that a fleet may have: a site has up to 50, and one of them may invent others.
+/// Largest number of robots in a fleet. A site has up to 50; a faulty robot could invent more.
 inline constexpr std::size_t kMaxRobots = 256;
 
-/// What a robot asks for.
-struct HeardAsk {
+/// A request for missing data, and the robot that sent it.
+struct ReceivedRequest {
   std::string from;
-  fleet_messages::AskMessage ask;
+  fleet_messages::AskMessage request;
 };
 
-/// A message of another robot, as it came.
+/// A message of another robot, as it was received.
 struct StoredPayload {
   fleet_messages::TopicKind kind = fleet_messages::TopicKind::kPresence;
-  std::uint32_t boot_id = 0;  ///< Of its author; 0 of an object.
+  std::uint32_t boot_id = 0;  ///< Boot id of its author; 0 for an object.
   std::string payload;
-  double heard_s = 0.0;  ///< When it was heard last, from anybody.
+  double last_received_s = 0.0;  ///< When it was received last, from any robot.
 };
 
-/// A message of the robot itself that the broker has kept from before its start.
+/// A message that the robot itself published before its start and that the broker has retained.
 struct FoundPayload {
   fleet_messages::TopicMessage decoded;
   std::string payload;
 };
 
-/// Takes in what a fleet says: checks it, sorts it by author, and remembers what it would take to
-/// pass it on.
+/// Collects the messages of a fleet: validates them, sorts them by author, and stores what is
+/// needed to relay them.
 class FleetKnowledge {
  public:
-  /// Of that robot. `gone_after_s`: without a message, seconds.
+  /// `robot` is the robot that collects; empty for an observer. Another robot is gone after
+  /// `gone_after_s` seconds without a message.
   FleetKnowledge(std::string fleet, std::string robot, double gone_after_s);
 
-  /// Takes in a message of the bus, of others or of the robot itself.
+  /// Processes a message from the bus, of another robot or of this one.
   void take(const mqtt::Message& message, double now_s);
-  /// Takes in what the robot itself says, at once.
+  /// Records what this robot itself publishes, before the broker sends it back.
   void take_own(const fleet_messages::MessageBody& body,
                 const fleet_messages::ContentHash& hash,
                 double now_s);
 
-  /// Questions since the last call, of others.
-  std::vector<HeardAsk> take_asks();
-  /// Objects and graphs of this robot since the last call that it did not know of.
+  /// Requests of other robots since the last call.
+  std::vector<ReceivedRequest> take_requests();
+  /// Objects and graphs of this robot that the broker had retained and this host did not know,
+  /// since the last call.
   std::vector<FoundPayload> take_found_own();
 
-  /// The largest boot id of what the broker had kept of this robot; 0 for nothing.
-  std::uint32_t kept_boot_id() const { return kept_boot_id_; }
+  /// Largest boot id of this robot's messages that the broker had retained; 0 for none.
+  std::uint32_t retained_boot_id() const { return retained_boot_id_; }
 
   FleetState state(double now_s) const;
   const std::map<std::string, RobotKnowledge>& robots() const { return robots_; }
@@ -83,12 +85,12 @@ class FleetKnowledge {
   bool has(const fleet_messages::ContentHash& object) const { return objects_.contains(object); }
   std::size_t object_count() const { return objects_.size(); }
   fleet_messages::ContentHash object_set() const;
-  /// How many objects the robots said they have made that have not come.
+  /// Number of objects that robots have announced and that were not received.
   std::size_t missing_objects() const;
-  /// Whether the robot, when it was heard last, had graphs, claims or an alignment that have not
-  /// come.
+  /// Whether the robot's last presence announced graphs, claims or an alignment that were not
+  /// received.
   bool is_behind(const std::string& robot) const { return behind_.contains(robot); }
-  /// The latest messages of a robot but for poses, by topic.
+  /// Latest messages of a robot except poses, by topic.
   const std::map<std::string, StoredPayload>& stored(const std::string& robot) const;
   std::uint64_t revision() const { return revision_; }
   const ReceptionStatistics& statistics() const { return statistics_; }
@@ -98,14 +100,14 @@ class FleetKnowledge {
   void take_foreign(const fleet_messages::TopicMessage& decoded,
                     const mqtt::Message& message,
                     double now_s);
-  /// Takes in a message that is new.
+  /// Processes a message that is new.
   void take_new(const fleet_messages::FleetMessage& message,
                 const fleet_messages::ContentHash& hash,
                 double now_s);
   void compare_latest(const fleet_messages::Sender& sender,
                       const fleet_messages::PresenceMessage& presence);
   void take_found(const fleet_messages::TopicMessage& decoded, const mqtt::Message& message);
-  /// Whether the message is new, and a last will taken care of.
+  /// Whether the message is new, last wills included.
   bool is_new(const fleet_messages::TopicMessage& decoded,
               const std::string& topic,
               bool is_of_the_past);
@@ -118,16 +120,16 @@ class FleetKnowledge {
   std::string fleet_;
   std::string robot_;
   double gone_after_s_;
-  ReplayGuard guard_;         ///< Of what authors have sent themselves,
-  ReplayGuard relays_guard_;  ///< and of what others say that they have: it never overrules that.
+  ReplayGuard guard_;         ///< Of messages from their authors,
+  ReplayGuard relays_guard_;  ///< and of relayed ones, which never override those.
   std::map<std::string, RobotKnowledge> robots_;
   std::map<std::string, std::map<std::string, StoredPayload>> stored_;
   std::set<std::string> behind_;
   std::set<fleet_messages::ContentHash> objects_;
-  mutable std::optional<fleet_messages::ContentHash> object_set_;  ///< Empty: to be computed.
-  std::vector<HeardAsk> asks_;
+  mutable std::optional<fleet_messages::ContentHash> object_set_;  ///< Empty: has to be computed.
+  std::vector<ReceivedRequest> requests_;
   std::vector<FoundPayload> found_own_;
-  std::uint32_t kept_boot_id_ = 0;
+  std::uint32_t retained_boot_id_ = 0;
   std::uint64_t revision_ = 0;
   ReceptionStatistics statistics_;
 };

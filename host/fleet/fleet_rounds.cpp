@@ -35,7 +35,7 @@ bool FleetRounds::publish(const std::string& topic,
   if (!bus_.publish(topic, payload, mqtt::Delivery::kAtLeastOnce, retain)) {
     return false;
   }
-  note_said(topic, payload, retain);
+  note_sent(topic, payload, retain);
   return true;
 }
 
@@ -56,7 +56,7 @@ void FleetRounds::end_round(bool leaves) {
   // Small enough: a round has few objects.
   const std::string payload = fleet_messages::encode(message).value_or("");
   bus_.publish(topic, payload, mqtt::Delivery::kAtLeastOnce, true);
-  said_.push_back({topic, payload, true});
+  sent_.push_back({topic, payload, true});
   objects_.clear();
   has_ended_ = true;
   repeated_s_.reset();
@@ -70,7 +70,7 @@ bool FleetRounds::poll(double wall_s) {
   if (bus_.connections() != connections_ || wall_s >= *repeated_s_ + params_.repeat_after_s) {
     connections_ = bus_.connections();
     repeated_s_ = wall_s;
-    say_again();
+    resend();
   }
   if (!has_ended_) {
     return true;
@@ -80,7 +80,7 @@ bool FleetRounds::poll(double wall_s) {
   }
   release();
   has_ended_ = false;
-  said_before_ = std::exchange(said_, {});
+  sent_before_ = std::exchange(sent_, {});
   ++round_;
   return true;
 }
@@ -103,17 +103,17 @@ void FleetRounds::sort_in(mqtt::Message message) {
   const auto decoded = fleet_messages::decode(message.topic, message.payload);
   const auto* known = std::get_if<TopicMessage>(&decoded);
   if (known == nullptr || !living_.contains(known->topic.robot)) {
-    ready_.push_back(std::move(message));  // Others judge it.
+    ready_.push_back(std::move(message));  // The receiver validates it.
     return;
   }
   const std::string& robot = known->topic.robot;
-  const FleetMessage& said = known->message;
-  Heard& heard = heard_[robot];
+  const FleetMessage& fleet_message = known->message;
+  Received& received = received_[robot];
   if (known->topic.kind == TopicKind::kClock) {
-    take_clock(robot, said);
+    take_clock(robot, fleet_message);
     return;
   }
-  const auto* presence = std::get_if<PresenceMessage>(&said.body);
+  const auto* presence = std::get_if<PresenceMessage>(&fleet_message.body);
   const bool is_will =
       presence != nullptr && presence->state == static_cast<std::uint8_t>(PresenceState::kGone);
   if (is_will && robot != params_.robot && !message.is_retained) {
@@ -125,39 +125,39 @@ void FleetRounds::sort_in(mqtt::Message message) {
     if (message.is_retained) {
       ready_.push_back(message);  // It may be of a round that is over.
     }
-    heard.objects.insert_or_assign(fleet_messages::content_hash(message.payload),
-                                   std::move(message));
-  } else if (said.sender.boot_id != params_.boot_id ||
-             said.sender.counter <= heard.released_counter) {
-    ready_.push_back(std::move(message));  // From before this run, or once more.
+    received.objects.insert_or_assign(fleet_messages::content_hash(message.payload),
+                                      std::move(message));
+  } else if (fleet_message.sender.boot_id != params_.boot_id ||
+             fleet_message.sender.counter <= received.released_counter) {
+    ready_.push_back(std::move(message));  // From before this run, or a repetition.
   } else {
-    heard.messages.insert_or_assign(said.sender.counter, std::move(message));
+    received.messages.insert_or_assign(fleet_message.sender.counter, std::move(message));
   }
 }
 
 void FleetRounds::take_clock(const std::string& robot, const FleetMessage& message) {
   const auto& clock = std::get<ClockMessage>(message.body);
   if (message.sender.boot_id == params_.boot_id && clock.round >= round_) {
-    heard_[robot].clocks[clock.round] = clock;
+    received_[robot].clocks[clock.round] = clock;
   }
 }
 
 bool FleetRounds::has_all_of(const std::string& robot) const {
-  const auto found = heard_.find(robot);
-  if (found == heard_.end()) {
+  const auto found = received_.find(robot);
+  if (found == received_.end()) {
     return false;
   }
-  const Heard& heard = found->second;
-  const auto clock = heard.clocks.find(round_);
-  if (clock == heard.clocks.end()) {
+  const Received& received = found->second;
+  const auto clock = received.clocks.find(round_);
+  if (clock == received.clocks.end()) {
     return false;
   }
-  const auto end = heard.messages.upper_bound(clock->second.last_counter);
-  const auto messages = static_cast<std::uint32_t>(std::distance(heard.messages.begin(), end));
-  return messages == clock->second.last_counter - heard.released_counter &&
+  const auto end = received.messages.upper_bound(clock->second.last_counter);
+  const auto messages = static_cast<std::uint32_t>(std::distance(received.messages.begin(), end));
+  return messages == clock->second.last_counter - received.released_counter &&
          std::all_of(clock->second.objects.begin(),
                      clock->second.objects.end(),
-                     [&](const auto& object) { return heard.objects.contains(object); });
+                     [&](const auto& object) { return received.objects.contains(object); });
 }
 
 bool FleetRounds::is_over() const {
@@ -168,44 +168,44 @@ bool FleetRounds::is_over() const {
 void FleetRounds::release() {
   std::vector<std::string> leaving;
   for (const std::string& robot : living_) {
-    Heard& heard = heard_[robot];
-    release(heard);
-    const auto clock = heard.clocks.find(round_);
+    Received& received = received_[robot];
+    release(received);
+    const auto clock = received.clocks.find(round_);
     if (clock->second.leaves == 1) {
       leaving.push_back(robot);
     }
-    heard.clocks.erase(clock);
+    received.clocks.erase(clock);
   }
   for (const std::string& robot : leaving) {
     living_.erase(robot);
   }
 }
 
-void FleetRounds::release(Heard& heard) {
-  const ClockMessage& clock = heard.clocks.at(round_);
+void FleetRounds::release(Received& received) {
+  const ClockMessage& clock = received.clocks.at(round_);
   for (const auto& object : clock.objects) {
     // It stays: a robot may publish it once more in a later round.
-    ready_.push_back(heard.objects.at(object));
+    ready_.push_back(received.objects.at(object));
   }
-  const auto end = heard.messages.upper_bound(clock.last_counter);
-  for (auto message = heard.messages.begin(); message != end; ++message) {
+  const auto end = received.messages.upper_bound(clock.last_counter);
+  for (auto message = received.messages.begin(); message != end; ++message) {
     ready_.push_back(std::move(message->second));
   }
-  heard.messages.erase(heard.messages.begin(), end);
-  heard.released_counter = clock.last_counter;
+  received.messages.erase(received.messages.begin(), end);
+  received.released_counter = clock.last_counter;
 }
 
-void FleetRounds::say_again() {
-  for (const std::vector<Said>* said : {&said_before_, &said_}) {
-    for (const Said& message : *said) {
+void FleetRounds::resend() {
+  for (const std::vector<Sent>* round : {&sent_before_, &sent_}) {
+    for (const Sent& message : *round) {
       bus_.publish(
           message.topic, message.payload, mqtt::Delivery::kAtLeastOnce, message.is_retained);
     }
   }
 }
 
-void FleetRounds::note_said(const std::string& topic, std::string_view payload, bool retain) {
-  said_.push_back({topic, std::string(payload), retain});
+void FleetRounds::note_sent(const std::string& topic, std::string_view payload, bool retain) {
+  sent_.push_back({topic, std::string(payload), retain});
   const auto decoded = fleet_messages::decode(topic, payload);
   const auto* known = std::get_if<TopicMessage>(&decoded);
   if (known == nullptr || known->topic.kind == TopicKind::kRelay) {

@@ -16,55 +16,56 @@
 
 namespace echomap::fleet {
 
-/// Whether a robot takes part.
+/// Whether a robot takes part in its fleet.
 enum class Attendance : std::uint8_t {
   kAlive,
-  kLeft,  ///< It has said good-bye.
-  kGone,  ///< Its last will has come, or nothing for a while.
+  kLeft,  ///< It has announced that it leaves.
+  kGone,  ///< Its last will was received, or nothing for a while.
 };
 
-/// Where a robot said it is.
+/// Pose that a robot has published.
 struct FleetPose {
   fleet_messages::PoseEstimate estimate;
   std::uint16_t map_number = 0;
-  double stamp_s = 0.0;  ///< On its own clock.
-  double age_s = 0.0;    ///< Since it was heard.
-  /// Forward, on the way from the pose before; zero where that is long ago.
+  double stamp_s = 0.0;  ///< On the robot's clock.
+  double age_s = 0.0;    ///< Since it was received.
+  /// Forward speed since the pose before; zero where that one is too old.
   double speed_m_per_s = 0.0;
 };
 
 /// One map of a robot. A robot that was carried away, or whose host has started again, has several.
 struct FleetMap {
   std::uint16_t number = 0;
-  /// Submaps from the first on as far as there is no gap and the pose graph has them. Never null.
+  /// Submaps from the first one up to the first gap, as far as the pose graph covers them. Never
+  /// null.
   std::shared_ptr<const team_map::RobotRecord> record;
   Eigen::Matrix3d latest_covariance = Eigen::Matrix3d::Zero();  ///< Of the last pose of its graph.
-  /// By submap; each once. Never null.
+  /// Source batches in the order of their submaps, each once. Never null.
   std::shared_ptr<const std::vector<fleet_messages::SourceBatch>> source_batches;
 };
 
-/// All that one robot has told.
+/// All that one robot has published.
 struct FleetRobot {
   std::string name;
-  double age_s = 0.0;  ///< Since it was heard.
+  double age_s = 0.0;  ///< Since its last message.
   fleet_messages::RobotTraits traits;
   std::vector<FleetMap> maps;  ///< In ascending order of their numbers.
   std::optional<FleetPose> pose;
-  /// In its map of `claims_map_number`; none of a robot that is not alive.
+  /// Claims in its map `claims_map_number`; none for a robot that is not alive.
   std::vector<team_exploration::Claim> claims;
-  /// In its map of `search_map_number`; empty where it does not search.
+  /// Search report in its map `search_map_number`; empty where it does not search.
   std::optional<fleet_messages::SearchReport> search;
   std::vector<fleet_messages::AlignedMap> alignment;
-  std::size_t known_objects = 0;          ///< How many objects it has, of whomever,
+  std::size_t known_objects = 0;          ///< Number of objects that it has, of any robot,
   fleet_messages::ContentHash known_set;  ///< and the hash of their set.
-  std::uint16_t map_number = 0;           ///< Of the map that it is making now.
+  std::uint16_t map_number = 0;           ///< Map that it is building now.
   std::uint16_t claims_map_number = 0;
   std::uint16_t search_map_number = 0;
   Attendance attendance = Attendance::kAlive;
-  bool is_heard = false;  ///< By itself; otherwise all that is known was kept by others.
+  bool has_reported = false;  ///< It has sent a message itself; otherwise all comes from others.
 };
 
-/// What one robot knows of its fleet, itself included, all of it as it was sent: in whole
+/// What one robot knows of its fleet, itself included. All values are as they were sent, in whole
 /// millimetres, so that all robots compute the same.
 struct FleetState {
   std::vector<FleetRobot> robots;  ///< By name.

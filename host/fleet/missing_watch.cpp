@@ -14,9 +14,9 @@ using fleet_messages::ContentHash;
 
 namespace {
 
-/// In one question: half a kilobyte.
-constexpr std::size_t kMaxAskedObjects = 32;
-/// Of the time between two questions that get no answer.
+/// Largest number of objects in one request: half a kilobyte.
+constexpr std::size_t kMaxRequestedObjects = 32;
+/// How often the time between requests doubles while no answer comes.
 constexpr int kMaxDoublings = 4;
 
 bool misses_manifest(const RobotKnowledge& robot, const std::vector<ContentHash>& promised) {
@@ -27,7 +27,9 @@ bool misses_manifest(const RobotKnowledge& robot, const std::vector<ContentHash>
 }  // namespace
 
 MissingWatch::MissingWatch(const FleetExchangeParams& params)
-    : robot_(params.robot), ask_after_s_(params.ask_after_s), ask_period_s_(params.ask_period_s) {}
+    : robot_(params.robot),
+      request_after_s_(params.request_after_s),
+      request_period_s_(params.request_period_s) {}
 
 std::optional<AskMessage> MissingWatch::next(const FleetKnowledge& knowledge, double now_s) {
   for (const auto& [name, robot] : knowledge.robots()) {
@@ -36,12 +38,12 @@ std::optional<AskMessage> MissingWatch::next(const FleetKnowledge& knowledge, do
     }
     look(robot, knowledge, now_s);
     Watched& watched = watched_[name];
-    AskMessage ask = ask_for(name, watched, now_s);
-    const bool misses_some = ask.everything_else == 1 || !ask.objects.empty();
-    if (misses_some && may_ask(watched, now_s)) {
-      watched.asked_s = now_s;
-      ++watched.asked_in_vain;
-      return ask;
+    AskMessage request = request_for(name, watched, now_s);
+    const bool misses_some = request.everything_else == 1 || !request.objects.empty();
+    if (misses_some && may_request(watched, now_s)) {
+      watched.requested_s = now_s;
+      ++watched.unanswered_requests;
+      return request;
     }
   }
   return std::nullopt;
@@ -63,7 +65,7 @@ void MissingWatch::look(const RobotKnowledge& robot,
       misses_manifest(robot, promised) ||
       (knowledge.is_alive(robot.name(), now_s) && knowledge.is_behind(robot.name()));
   if (missing.size() < watched.objects.size() || (watched.rest_since_s && !misses_rest)) {
-    watched.asked_in_vain = 0;
+    watched.unanswered_requests = 0;
   }
   watched.objects = std::move(missing);
   if (!misses_rest) {
@@ -73,24 +75,25 @@ void MissingWatch::look(const RobotKnowledge& robot,
   }
 }
 
-bool MissingWatch::may_ask(const Watched& watched, double now_s) const {
-  const int doublings = std::min(watched.asked_in_vain, kMaxDoublings + 1) - 1;
-  return !watched.asked_s || now_s >= *watched.asked_s + std::ldexp(ask_period_s_, doublings);
+bool MissingWatch::may_request(const Watched& watched, double now_s) const {
+  const int doublings = std::min(watched.unanswered_requests, kMaxDoublings + 1) - 1;
+  return !watched.requested_s ||
+         now_s >= *watched.requested_s + std::ldexp(request_period_s_, doublings);
 }
 
-AskMessage MissingWatch::ask_for(const std::string& robot,
-                                 const Watched& watched,
-                                 double now_s) const {
-  AskMessage ask{robot, 0, {}};
-  if (watched.rest_since_s && now_s >= *watched.rest_since_s + ask_after_s_) {
-    ask.everything_else = 1;
+AskMessage MissingWatch::request_for(const std::string& robot,
+                                     const Watched& watched,
+                                     double now_s) const {
+  AskMessage request{robot, 0, {}};
+  if (watched.rest_since_s && now_s >= *watched.rest_since_s + request_after_s_) {
+    request.everything_else = 1;
   }
   for (const auto& [object, since_s] : watched.objects) {
-    if (now_s >= since_s + ask_after_s_ && ask.objects.size() < kMaxAskedObjects) {
-      ask.objects.push_back(object);
+    if (now_s >= since_s + request_after_s_ && request.objects.size() < kMaxRequestedObjects) {
+      request.objects.push_back(object);
     }
   }
-  return ask;
+  return request;
 }
 
 }  // namespace echomap::fleet

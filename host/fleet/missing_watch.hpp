@@ -10,34 +10,34 @@
 
 namespace echomap::fleet {
 
-/// Finds out what others have made and this robot has not heard, and decides when to ask for it:
-/// not at once, as it may be on its way, and less and less often where no answer comes.
+/// Finds out what others have made and this robot has not received, and decides when to request it:
+/// not at once, as it may be on its way, and less and less often while no answer comes.
 class MissingWatch {
  public:
   explicit MissingWatch(const FleetExchangeParams& params);
 
-  /// What to ask for now; of one robot, and of as many objects as one message has room for.
+  /// The request to send now, for a limited number of objects of one robot; empty for none.
   std::optional<fleet_messages::AskMessage> next(const FleetKnowledge& knowledge, double now_s);
 
  private:
   struct Watched {
-    /// Since when each object has been missing,
+    /// When each object was found missing,
     std::map<fleet_messages::ContentHash, double> objects;
-    /// and something else: a page of the manifest, a graph, claims, an alignment.
+    /// and when anything else was: a page of the manifest, a graph, claims, an alignment.
     std::optional<double> rest_since_s;
-    std::optional<double> asked_s;
-    int asked_in_vain = 0;  ///< How often, since something came.
+    std::optional<double> requested_s;
+    int unanswered_requests = 0;  ///< Number of requests since something came.
   };
 
   void look(const RobotKnowledge& robot, const FleetKnowledge& knowledge, double now_s);
-  bool may_ask(const Watched& watched, double now_s) const;
-  fleet_messages::AskMessage ask_for(const std::string& robot,
-                                     const Watched& watched,
-                                     double now_s) const;
+  bool may_request(const Watched& watched, double now_s) const;
+  fleet_messages::AskMessage request_for(const std::string& robot,
+                                         const Watched& watched,
+                                         double now_s) const;
 
   std::string robot_;
-  double ask_after_s_;
-  double ask_period_s_;
+  double request_after_s_;
+  double request_period_s_;
   std::map<std::string, Watched> watched_;
 };
 

@@ -74,7 +74,7 @@ void Publications::repeat_all(bool (*is_wanted)(fleet_messages::TopicKind), doub
   }
 }
 
-void Publications::say_again() {
+void Publications::resend() {
   for (auto& [topic, entry] : entries_) {
     if (std::holds_alternative<fleet_messages::MessageBody>(entry.content) && !entry.is_withdrawn) {
       entry.is_changed = true;

@@ -9,11 +9,12 @@ using fleet_messages::TopicKind;
 
 namespace {
 
-bool is_asked_for(const fleet_messages::AskMessage& ask, const fleet_messages::FleetTopic& topic) {
+bool is_requested(const fleet_messages::AskMessage& request,
+                  const fleet_messages::FleetTopic& topic) {
   const auto* hash = std::get_if<fleet_messages::ContentHash>(&topic.id);
-  return hash == nullptr
-             ? ask.everything_else == 1
-             : std::find(ask.objects.begin(), ask.objects.end(), *hash) != ask.objects.end();
+  return hash == nullptr ? request.everything_else == 1
+                         : std::find(request.objects.begin(), request.objects.end(), *hash) !=
+                               request.objects.end();
 }
 
 }  // namespace
@@ -24,11 +25,11 @@ Relays::Relays(const FleetExchangeParams& params)
       gone_after_s_(params.gone_after_s),
       step_s_(params.relay_step_s) {}
 
-void Relays::note(const HeardAsk& heard, const FleetKnowledge& knowledge, double now_s) {
-  for (const auto& [topic, stored] : knowledge.stored(heard.ask.robot)) {
+void Relays::note(const ReceivedRequest& received, const FleetKnowledge& knowledge, double now_s) {
+  for (const auto& [topic, stored] : knowledge.stored(received.request.robot)) {
     const auto parsed = fleet_messages::parse_topic(topic);
-    if (parsed && is_asked_for(heard.ask, *parsed)) {
-      asked_s_.emplace(topic, now_s);
+    if (parsed && is_requested(received.request, *parsed)) {
+      requested_s_.emplace(topic, now_s);
     }
   }
 }
@@ -44,14 +45,14 @@ void Relays::update(const FleetKnowledge& knowledge, Publications& publications,
       if (!is_passed_on(stored.kind)) {
         continue;
       }
-      const auto asked = asked_s_.find(topic);
-      const bool is_due = asked != asked_s_.end() && now_s >= asked->second + wait_s;
-      const bool is_asked_in_vain = is_due && stored.heard_s < asked->second;
-      if (is_asked_in_vain || (knows_broker && stored.heard_s < connected_s_)) {
+      const auto requested = requested_s_.find(topic);
+      const bool is_due = requested != requested_s_.end() && now_s >= requested->second + wait_s;
+      const bool is_unanswered = is_due && stored.last_received_s < requested->second;
+      if (is_unanswered || (knows_broker && stored.last_received_s < connected_s_)) {
         pass_on(author, stored, publications, now_s);
       }
       if (is_due) {
-        asked_s_.erase(asked);
+        requested_s_.erase(requested);
       }
     }
   }

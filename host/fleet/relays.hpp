@@ -11,26 +11,26 @@
 
 namespace echomap::fleet {
 
-/// Passes on what robots have told that are not here any more: where the broker has lost it, and
-/// where somebody asks for it. Of all that have it, the one whose name comes first does so first,
-/// the next one after a while, unless it has heard it meanwhile.
+/// Relays the messages of robots that are gone, where the broker has lost them and where another
+/// robot requests them. Of all robots that have a message, the one whose name comes first relays it
+/// at once; the next one follows after a while, unless it has received it meanwhile.
 class Relays {
  public:
   explicit Relays(const FleetExchangeParams& params);
 
-  /// There is a new connection, and nobody knows what the broker has.
+  /// Handles a new connection: it is unknown what the broker has.
   void on_connected(double now_s) { connected_s_ = now_s; }
-  /// Notes a question that is not for this robot itself.
-  void note(const HeardAsk& heard, const FleetKnowledge& knowledge, double now_s);
-  /// Publishes what nobody else has published in time, and takes back what its author, who is back,
-  /// publishes itself.
+  /// Records a request for the data of another robot.
+  void note(const ReceivedRequest& received, const FleetKnowledge& knowledge, double now_s);
+  /// Publishes what no other robot has published in time, and withdraws messages whose author is
+  /// back.
   void update(const FleetKnowledge& knowledge, Publications& publications, double now_s);
 
-  /// Messages that were passed on.
+  /// Number of messages relayed so far.
   std::size_t count() const { return count_; }
 
  private:
-  /// How many living robots come before this one.
+  /// Number of living robots whose names come before this one's.
   int rank(const FleetKnowledge& knowledge, double now_s) const;
   void pass_on(const std::string& author,
                const StoredPayload& stored,
@@ -42,9 +42,9 @@ class Relays {
   double gone_after_s_;
   double step_s_;
   double connected_s_ = 0.0;
-  /// When each message was asked for, by its author's topic.
-  std::map<std::string, double> asked_s_;
-  /// Authors of what was passed on, by the topic on which it was.
+  /// When each message was requested, by its author's topic.
+  std::map<std::string, double> requested_s_;
+  /// Authors of the relayed messages, by the topic of the relay.
   std::map<std::string, std::string> authors_;
   std::size_t count_ = 0;
 };

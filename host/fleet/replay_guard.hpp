@@ -10,23 +10,24 @@
 
 namespace echomap::fleet {
 
-/// What a message is by its boot id and counter.
+/// Freshness of a message by its boot id and counter.
 enum class Freshness : std::uint8_t {
   kNew,
-  kDuplicate,  ///< The latest of its topic once more, as deliveries at least once may be.
-  kOutdated,   ///< The broker or a relay had it from before.
-  kReplayed,   ///< A later one of its topic has come before.
+  kDuplicate,  ///< The latest of its topic again, as delivery at least once may send.
+  kOutdated,   ///< An older one that the broker had retained or a robot relayed.
+  kReplayed,   ///< A later one of its topic was received before.
   kOldBoot,    ///< Its author has started again since.
 };
 
-/// Remembers of each topic the latest boot id and counter, of which others must be larger.
+/// Stores the latest boot id and counter of each topic; those of new messages must be larger.
 class ReplayGuard {
  public:
-  /// `is_of_the_past`: the message was kept by somebody, so that an older one is no offence.
+  /// Classifies a message, and stores its counter where it is new. With `is_of_the_past` the
+  /// message was retained or relayed, so that an older one is not a replay.
   Freshness take(const std::string& topic,
                  const fleet_messages::Sender& sender,
                  bool is_of_the_past);
-  /// Whether nothing of the topic is known, or only what is older.
+  /// Whether the message is newer than all that is known of its topic.
   bool is_news(const std::string& topic, const fleet_messages::Sender& sender) const;
   /// The robot's latest boot id; 0 where it is not known.
   std::uint32_t boot_id(const std::string& robot) const;

@@ -10,7 +10,7 @@
 namespace echomap::fleet {
 namespace {
 
-/// Poses of a robot that drives follow each other so closely, whatever the broker delays.
+/// Longest time between poses of a robot that drives, whatever the broker delays.
 constexpr double kDrivesS = 3.0;
 
 double forward_m_per_s(const FleetPose& before, const FleetPose& now) {
@@ -81,7 +81,7 @@ Attendance RobotKnowledge::attendance(double now_s, double gone_after_s) const {
 }
 
 double RobotKnowledge::age_s(double now_s) const {
-  return heard_s_ ? now_s - *heard_s_ : std::numeric_limits<double>::infinity();
+  return last_seen_s_ ? now_s - *last_seen_s_ : std::numeric_limits<double>::infinity();
 }
 
 std::vector<ContentHash> RobotKnowledge::promised() const {
@@ -103,7 +103,7 @@ FleetRobot RobotKnowledge::state(double now_s, double gone_after_s) const {
   robot.name = name_;
   robot.attendance = attendance(now_s, gone_after_s);
   robot.age_s = age_s(now_s);
-  robot.is_heard = is_heard_;
+  robot.has_reported = has_reported_;
   if (presence_) {
     robot.traits = fleet_messages::to_traits(*presence_);
     robot.map_number = presence_->map_number;
@@ -136,7 +136,7 @@ FleetRobot RobotKnowledge::state(double now_s, double gone_after_s) const {
 bool RobotKnowledge::add(const fleet_messages::SubmapMessage& message, const ContentHash& hash) {
   Map& map = maps_[message.map_number];
   const auto known = map.submaps.find(message.index);
-  // Of two with one index all robots use the same one.
+  // Where two have the same index, all robots use the same one.
   if (known != map.submaps.end() && known->second.first <= hash) {
     return false;
   }

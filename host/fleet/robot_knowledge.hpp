@@ -15,56 +15,57 @@
 
 namespace echomap::fleet {
 
-/// What a robot may make at most. It is a week of stops; without a bound one that repeats itself
-/// would take the memory of all.
+/// Largest number of objects and maps of one robot, a week of stops. Without a limit, a robot that
+/// repeats itself would exhaust the memory of all.
 inline constexpr std::size_t kMaxObjectsOfARobot = 20'000;
 inline constexpr std::size_t kMaxMapsOfARobot = 256;
 
-/// What one robot has told, whoever passed it on.
+/// What one robot has published, received from itself, the broker or a relay.
 class RobotKnowledge {
  public:
   explicit RobotKnowledge(std::string name) : name_(std::move(name)) {}
 
   const std::string& name() const { return name_; }
 
-  /// Takes in what is newer than all of its kind before; `now_s` is of the caller's clock. Objects
-  /// go by their hash and come once each. True where records, batches or alignment change.
+  /// Stores a message that is newer than all of its kind before; `now_s` is of the caller's clock.
+  /// Objects are identified by their hash and come once each. True where records, batches or the
+  /// alignment change.
   bool take(const fleet_messages::MessageBody& body,
             const fleet_messages::ContentHash& hash,
             double now_s);
 
-  /// Something of that start of its host has come: what it said of a search before was of another.
+  /// Records the boot id of a message. A new one voids the search report of the start before.
   void note_boot(std::uint32_t boot_id) {
     if (boot_id > boot_id_) {
       boot_id_ = boot_id;
       search_.reset();
     }
   }
-  /// Whether that is within what a robot may make.
+  /// Whether the limits above allow another such message.
   bool has_room_for(const fleet_messages::MessageBody& body) const;
-  /// The robot itself has been heard.
-  void hear(double now_s) {
-    heard_s_ = now_s;
-    is_heard_ = true;
+  /// Records that a message of the robot itself was received.
+  void set_last_seen(double now_s) {
+    last_seen_s_ = now_s;
+    has_reported_ = true;
     is_lost_ = false;
   }
-  /// The broker or somebody else has kept something of it: it counts from then on, where it was not
-  /// heard at all.
-  void hear_of(double now_s) { heard_s_ = heard_s_.value_or(now_s); }
-  /// The broker has lost it.
+  /// Records that a retained message of the robot was received. Its age counts from then on, where
+  /// the robot was not seen before.
+  void set_first_seen(double now_s) { last_seen_s_ = last_seen_s_.value_or(now_s); }
+  /// Records the robot's last will.
   void lose() { is_lost_ = true; }
 
   Attendance attendance(double now_s, double gone_after_s) const;
   double age_s(double now_s) const;
   const std::optional<fleet_messages::PresenceMessage>& presence() const { return presence_; }
-  /// The objects that it said it has made, as far as the pages of its manifest have come.
+  /// Objects that the robot has announced, as far as the pages of its manifest were received.
   std::vector<fleet_messages::ContentHash> promised() const;
   bool has_promised(const fleet_messages::ContentHash& hash) const;
 
   FleetRobot state(double now_s, double gone_after_s) const;
 
  private:
-  /// An object's hash and what it holds.
+  /// An object's hash and its content.
   template <class T>
   using Named = std::pair<fleet_messages::ContentHash, T>;
 
@@ -72,7 +73,7 @@ class RobotKnowledge {
     std::map<std::uint32_t, Named<team_map::Submap>> submaps;
     std::map<fleet_messages::ContentHash, fleet_messages::SourceBatch> batches;
     fleet_messages::GraphMessage graph;
-    /// What the state shows; null where it is to be made anew.
+    /// Cached for the state; null where it has to be rebuilt.
     mutable std::shared_ptr<const team_map::RobotRecord> record;
     mutable std::shared_ptr<const std::vector<fleet_messages::SourceBatch>> shown_batches;
   };
@@ -88,8 +89,8 @@ class RobotKnowledge {
   FleetMap shown(std::uint16_t number, const Map& map) const;
 
   std::string name_;
-  std::size_t objects_ = 0;  ///< With those of which another one is used.
-  std::optional<double> heard_s_;
+  std::size_t objects_ = 0;  ///< Including those that another one of their index replaces.
+  std::optional<double> last_seen_s_;
   std::optional<FleetPose> pose_;
   double posed_s_ = 0.0;
   std::map<std::uint16_t, Map> maps_;
@@ -101,7 +102,7 @@ class RobotKnowledge {
   std::uint32_t boot_id_ = 0;
   std::uint16_t claims_map_number_ = 0;
   std::uint16_t search_map_number_ = 0;
-  bool is_heard_ = false;
+  bool has_reported_ = false;
   bool is_lost_ = false;
 };
 

@@ -69,7 +69,7 @@ void FleetMember::begin_map() {
         std::make_unique<SourceRecorder>(*recorder_, *params_.source, params_.source_batch_s);
     behind_filter_.add(*source_recorder_);
   }
-  told_stops_ = robot_.atlas().pipeline().snapshot().stops;
+  published_stops_ = robot_.atlas().pipeline().snapshot().stops;
 }
 
 void FleetMember::step() {
@@ -82,13 +82,13 @@ void FleetMember::step() {
 }
 
 void FleetMember::exchange(double now_s) {
-  tell_stops();
+  publish_stops();
   if (source_recorder_) {
     if (const auto batch = source_recorder_->take()) {
       exchange_.add_source_batch(*batch);
     }
   }
-  tell_pose(now_s);
+  publish_pose(now_s);
   exchange_.update(now_s);
   state_ = exchange_.state();
   if (after_exchange) {
@@ -96,8 +96,8 @@ void FleetMember::exchange(double now_s) {
   }
 }
 
-/// A stop whose scan the map does not have is not told either.
-void FleetMember::tell_stops() {
+/// A stop whose scan the map has discarded is not published either.
+void FleetMember::publish_stops() {
   if (map_changes_ != robot_.atlas().changes()) {
     map_changes_ = robot_.atlas().changes();
     exchange_.begin_map();
@@ -105,10 +105,10 @@ void FleetMember::tell_stops() {
     return;
   }
   const Snapshot snapshot = robot_.atlas().pipeline().snapshot();
-  if (snapshot.stops == told_stops_) {
+  if (snapshot.stops == published_stops_) {
     return;
   }
-  told_stops_ = snapshot.stops;
+  published_stops_ = snapshot.stops;
   if (snapshot.last_scan_fault != mapping::ScanFault::kNone) {
     recorder_->drop_last();
     return;
@@ -127,28 +127,28 @@ void FleetMember::tell_stops() {
   exchange_.set_graph(poses, covariance.value_or(Eigen::Matrix3d::Zero()));
 }
 
-void FleetMember::tell_pose(double now_s) {
+void FleetMember::publish_pose(double now_s) {
   const pipeline::PoseEstimate pose = robot_.atlas().pipeline().pose_estimate();
   exchange_.set_pose({pose.T_map_robot, pose.covariance.value_or(Eigen::Matrix3d::Zero())}, now_s);
 }
 
-void FleetMember::use_told() {
+void FleetMember::apply_known_poses() {
   for (const fleet::FleetRobot& robot : state_.robots) {
-    const auto told = robot.maps.empty() ? told_.end() : told_.find(robot.name);
-    if (told != told_.end()) {
-      picture_.tell(map_name(params_.exchange.robot, exchange_.map_number()),
-                    map_name(robot.name, robot.map_number),
-                    told->second);
-      told_.erase(told);
+    const auto known = robot.maps.empty() ? known_poses_.end() : known_poses_.find(robot.name);
+    if (known != known_poses_.end()) {
+      picture_.set_known_pose(map_name(params_.exchange.robot, exchange_.map_number()),
+                              map_name(robot.name, robot.map_number),
+                              known->second);
+      known_poses_.erase(known);
     }
   }
 }
 
 void FleetMember::look() {
-  tell_stops();
-  use_told();
+  publish_stops();
+  apply_known_poses();
   if (picture_.take(state_)) {
-    // The first of a component tells where all of it lie; the others could compute the same.
+    // The first robot of a component publishes its alignment; the others could compute the same.
     exchange_.set_alignment(picture_.alignment(params_.exchange.robot, exchange_.map_number()));
   }
   joins_.look(session::now_s(robot_.session()),
@@ -193,11 +193,11 @@ SearchView FleetMember::search_view() const {
       state_, picture_, map_name(robot, exchange_.map_number()), robot, place_stddev_m);
 }
 
-void FleetMember::tell_search(const fleet_messages::SearchReport& report) {
+void FleetMember::publish_search(const fleet_messages::SearchReport& report) {
   const auto message = fleet_messages::to_message(report, exchange_.map_number());
-  if (message && message != told_search_) {
+  if (message && message != published_search_) {
     exchange_.set_search(report);
-    told_search_ = message;
+    published_search_ = message;
   }
 }
 

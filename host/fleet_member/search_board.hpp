@@ -7,14 +7,14 @@
 
 namespace echomap::fleet_member {
 
-/// Where a robot that searches a source reads what the others of its fleet have told, and tells
-/// what it has come to itself.
+/// Interface through which a robot that searches a source reads what the others of its fleet have
+/// published, and publishes its own result.
 class SearchBoard : public team_exploration::TeamBoard {
  public:
-  /// What the others have told of a source, in this robot's own map's frame.
+  /// What the others have published of a source, in this robot's map frame.
   virtual SearchView search_view() const = 0;
-  /// From now on this is what the robot has come to, and is about to read.
-  virtual void tell_search(const fleet_messages::SearchReport& report) = 0;
+  /// Publishes what the robot has found, and is about to read.
+  virtual void publish_search(const fleet_messages::SearchReport& report) = 0;
 };
 
 }  // namespace echomap::fleet_member

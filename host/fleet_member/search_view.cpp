@@ -12,7 +12,7 @@ using fleet::FleetRobot;
 using geometry::Pose2;
 using source_search::SourceVerdict;
 
-/// From a robot's odometry to the frame of the map that is asked for, by one submap.
+/// Transform from a robot's odometry frame to the requested map, by one submap.
 Pose2 T_own_odom(const team_map::Submap& submap,
                  const Pose2& T_team_submap,
                  const Pose2& T_team_own) {
@@ -101,8 +101,8 @@ SearchView search_view(const fleet::FleetState& state,
         view.plans.push_back({relative->T_own_peer * dwell.at_m, dwell.dwell_s});
       }
     }
-    // What the broker has kept of a robot that is not here may be of another search.
-    const bool is_of_now = other.is_heard && other.search->verdict != SourceVerdict::kUndecided;
+    // A retained report of a robot that is not here may be of another search.
+    const bool is_of_now = other.has_reported && other.search->verdict != SourceVerdict::kUndecided;
     if (is_of_now && !view.finding) {
       view.finding = TeamFinding{other.name, *other.search, std::nullopt};
       if (relative && other.search->verdict == SourceVerdict::kFound) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "host/fleet_member/source_recorder.hpp"
 
-#include <chrono>
 #include <utility>
 #include <variant>
 
 #include "host/geometry/parameter_validator.hpp"
+#include "host/time/robot_seconds.hpp"
 
 namespace echomap::fleet_member {
 
@@ -42,7 +42,7 @@ void SourceRecorder::add(const sensors::ScalarObservation& observation) {
   }
   if (row_.dwell_s == 0.0) {
     row_first_m_ = at_m;
-    row_.stamp_s = std::chrono::duration<double>(observation.stamp.time_since_epoch()).count();
+    row_.stamp_s = time::robot_seconds(observation.stamp);
     batch_begin_s_ = rows_.empty() ? row_.stamp_s : batch_begin_s_;
   }
   row_.value += observation.count;

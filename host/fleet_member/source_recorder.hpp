@@ -10,11 +10,11 @@
 
 namespace echomap::fleet_member {
 
-/// Gathers what a robot's scalar sensor reads, by the odometry of its submaps, to be told to
-/// others. It hears what the recorder of the submaps hears, after it.
+/// Collects what a robot's scalar sensor reads, in the odometry frame of its submaps, for
+/// publication. It receives the observations that the recorder of the submaps receives, after it.
 class SourceRecorder final : public pipeline::AnyObservationSink {
  public:
-  /// `submaps` outlives this. A batch holds readings of `batch_s` seconds or more. Throws
+  /// `submaps` must outlive this. A batch holds readings of `batch_s` seconds or more. Throws
   /// std::invalid_argument for invalid parameters.
   SourceRecorder(const team_map::SubmapRecorder& submaps,
                  const source_search::SourceReadingsParams& params,
@@ -22,10 +22,10 @@ class SourceRecorder final : public pipeline::AnyObservationSink {
 
   void on(const sensors::Observation& observation) override;
 
-  /// What was read since the last batch, once that is long enough and there is a submap: readings
-  /// in a row as one, as source_search::SourceReadings has them.
+  /// Readings since the last batch, once that is long enough and there is a submap. Consecutive
+  /// readings are merged as source_search::SourceReadings does.
   std::optional<fleet_messages::SourceBatch> take();
-  /// All that was read since, however little.
+  /// All readings since the last batch, however few.
   std::optional<fleet_messages::SourceBatch> take_rest();
 
  private:
@@ -36,7 +36,7 @@ class SourceRecorder final : public pipeline::AnyObservationSink {
   const team_map::SubmapRecorder& submaps_;
   source_search::SourceReadingsParams params_;
   double batch_s_;
-  Eigen::Vector2d last_m_ = Eigen::Vector2d::Zero();  ///< Where the reading before was taken.
+  Eigen::Vector2d last_m_ = Eigen::Vector2d::Zero();  ///< Place of the previous reading.
   bool has_last_ = false;
   fleet_messages::SourceReading row_;
   Eigen::Vector2d row_first_m_ = Eigen::Vector2d::Zero();

@@ -17,18 +17,18 @@ using team_exploration::Claim;
 using team_exploration::Peer;
 using team_exploration::TeamView;
 
-/// Where a robot is known no better than this, it is nowhere: to keep off by so much would close
-/// the floor, and to take no echo from there would blind.
+/// A robot whose position is less certain than this is left out: to keep off by so much would close
+/// the floor, and to drop all echoes from there would blind the sonar.
 constexpr double kMaxPeerStddevM = 1.0;
 
-/// In the direction in which it is the largest.
+/// Standard deviation of the position in the direction in which it is the largest.
 double position_stddev_m(const Eigen::Matrix3d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance.topLeftCorner<2, 2>(),
                                                               Eigen::EigenvaluesOnly);
   return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
 }
 
-/// One that has left stands where it said good-bye; where one that fell silent is, nobody knows.
+/// A robot that has left stays at its last pose; the pose of one that fell silent is unknown.
 std::optional<Peer> peer_of(const FleetRobot& robot, const team_map::RelativePose& relative) {
   if (robot.attendance == Attendance::kGone || !robot.pose ||
       robot.pose->map_number != robot.map_number) {
@@ -92,9 +92,9 @@ bool TeamPicture::take_with_joins(const FleetState& state) {
       for (const fleet_messages::AlignedMap& map : robot.alignment) {
         const fleet_messages::AlignedMap& first = robot.alignment.front();
         if (&map != &first) {
-          team_.believe(map_name(first.robot, first.map_number),
-                        map_name(map.robot, map.map_number),
-                        first.T_component_map.inverse() * map.T_component_map);
+          team_.accept_join(map_name(first.robot, first.map_number),
+                            map_name(map.robot, map.map_number),
+                            first.T_component_map.inverse() * map.T_component_map);
         }
       }
     }
@@ -102,10 +102,10 @@ bool TeamPicture::take_with_joins(const FleetState& state) {
   return take(state);
 }
 
-void TeamPicture::tell(const std::string& own_map,
-                       const std::string& peer_map,
-                       const team_map::RelativePose& relative) {
-  team_.tell({own_map, peer_map, relative});
+void TeamPicture::set_known_pose(const std::string& own_map,
+                                 const std::string& peer_map,
+                                 const team_map::RelativePose& relative) {
+  team_.set_known_pose({own_map, peer_map, relative});
 }
 
 std::optional<team_map::RelativePose> TeamPicture::relative_pose(const std::string& own_map,

@@ -51,7 +51,7 @@ Motion TeamSearcher::next(const Snapshot& snapshot, MotionResult last) {
   }
   const auto view = team_exploration::without_silent(board_.view(), params_.max_silent_s);
   const Motion motion = decide(snapshot, view, last);
-  tell();
+  publish();
   return motion;
 }
 
@@ -79,8 +79,8 @@ Motion TeamSearcher::decide(const Snapshot& snapshot,
   return avoidance_.checked(snapshot, view, search_->next(known_to_all(snapshot, company), last));
 }
 
-/// In the order in which they came: what is behind those known is new. Where a robot has fewer than
-/// before, as one that has begun another map, the order starts again.
+/// Returns all readings in the order in which they came: those behind the known ones are new. Where
+/// a robot has fewer than before, as one that has begun another map, the order starts again.
 std::vector<FieldReading> TeamSearcher::all_readings(const Snapshot& snapshot,
                                                      const SearchView& others) {
   std::map<std::string, std::vector<FieldReading>> by_map;
@@ -109,8 +109,8 @@ std::vector<FieldReading> TeamSearcher::all_readings(const Snapshot& snapshot,
   return all;
 }
 
-/// Tells what it has come to and is about, where that has changed.
-void TeamSearcher::tell() {
+/// Publishes the result so far, the plan and the claim, where they have changed.
+void TeamSearcher::publish() {
   fleet_messages::SearchReport report;
   if (const auto* belief = search_->belief()) {
     const source_search::SourceEstimate& estimate = belief->estimate();
@@ -126,11 +126,11 @@ void TeamSearcher::tell() {
     }
   }
   report.plan = search_->plan();
-  board_.tell_search(report);
+  board_.publish_search(report);
   claim();
 }
 
-/// Where it goes, and who is in its way there. It bids for no floor.
+/// Claims the goal and names the robot in its way. It bids for no floor.
 void TeamSearcher::claim() {
   std::optional<team_exploration::Claim> claim;
   const auto goal = search_->intent().goal;

@@ -19,19 +19,19 @@ namespace echomap::fleet_member {
 /// Values without another source are ours, chosen in simulation.
 struct TeamSearcherParams {
   team_exploration::AvoidanceParams avoidance;
-  /// Robots that have told nothing for so long are gone.
+  /// Silence after which a robot is gone.
   double max_silent_s = 15.0;
   /// Robot time after which it ends at its stop limit.
   double max_s = std::numeric_limits<double>::infinity();
 };
 
-/// Searches a source as one of a fleet: by its own readings and by those of all whose maps are
+/// Searches a source as a member of a fleet: by its own readings and by those of all whose maps are
 /// joined to its own, and not where others are about to read. It keeps off them and lets them pass.
-/// The first one that is sure tells the others, and all of them end.
+/// The first one that is sure publishes its finding, and all of them end.
 class TeamSearcher final : public exploration::Explorer {
  public:
-  /// `board` and `readings`, those of the robot itself, outlive this; `search` is shared with
-  /// whoever asks what it has come to. Throws std::invalid_argument for invalid parameters.
+  /// `board` and `readings`, those of the robot itself, must outlive this; `search` is shared with
+  /// the caller, who reads its result. Throws std::invalid_argument for invalid parameters.
   TeamSearcher(SearchBoard& board,
                std::shared_ptr<source_search::SourceSearch> search,
                const source_search::SourceReadings& readings,
@@ -41,7 +41,7 @@ class TeamSearcher final : public exploration::Explorer {
                            exploration::MotionResult last) override;
   exploration::Intent intent() const override { return search_->intent(); }
   const team_exploration::Encounters& encounters() const { return avoidance_.encounters(); }
-  /// Whether it waits for one who waits for it.
+  /// Whether it waits for a robot that waits for it.
   bool is_in_deadlock() const { return avoidance_.is_in_deadlock(); }
 
  private:
@@ -50,7 +50,7 @@ class TeamSearcher final : public exploration::Explorer {
                              exploration::MotionResult last);
   std::vector<source_search::FieldReading> all_readings(const pipeline::Snapshot& snapshot,
                                                         const SearchView& others);
-  void tell();
+  void publish();
   void claim();
 
   TeamSearcherParams params_;
@@ -58,10 +58,10 @@ class TeamSearcher final : public exploration::Explorer {
   SearchBoard& board_;
   std::shared_ptr<source_search::SourceSearch> search_;
   const source_search::SourceReadings& own_;
-  /// Whose readings came in which order: the next one of that map; "" is the robot's own.
+  /// Order in which the readings came: the map of each; "" for the robot's own.
   std::vector<std::string> order_;
   std::map<std::string, std::size_t> taken_;
-  std::optional<team_exploration::Claim> claim_;  ///< As it was told.
+  std::optional<team_exploration::Claim> claim_;  ///< As it was published.
 };
 
 }  // namespace echomap::fleet_member

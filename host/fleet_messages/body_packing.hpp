@@ -8,11 +8,11 @@
 
 namespace echomap::fleet_messages {
 
-/// One zstd frame (RFC 8878) that says its size.
+/// Compresses bytes to one zstd frame (RFC 8878) that states its content size.
 std::string pack(std::string_view bytes);
 
-/// What `pack` packed; empty where the bytes are not one whole frame that says its size, or where
-/// it has more than `max_bytes`. Memory is what the frame says, bounded by `max_bytes`.
+/// Decompresses what `pack` returned. Empty where the bytes are not one whole frame that states its
+/// content size, or where that exceeds `max_bytes`. Allocates the stated size, at most `max_bytes`.
 std::optional<std::string> unpack(std::string_view packed, std::size_t max_bytes);
 
 }  // namespace echomap::fleet_messages

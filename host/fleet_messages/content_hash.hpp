@@ -19,18 +19,18 @@ struct ContentHash {
   auto operator<=>(const ContentHash&) const = default;
 };
 
-/// Of any bytes.
+/// Hash of any bytes.
 ContentHash content_hash(std::string_view bytes);
 
-/// Of a set of objects: of their names in ascending order, whatever order they are given in.
+/// Hash of a set of objects: of their names in ascending order, whatever their order in `objects`.
 ContentHash set_hash(std::vector<ContentHash> objects);
 
-/// 32 lower-case hexadecimal digits.
+/// The hash as 32 lower-case hexadecimal digits.
 std::string hex(const ContentHash& hash);
-/// The hash of such a text; empty for any other text.
+/// Parses what `hex` returns; empty for any other text.
 std::optional<ContentHash> parse_hash(std::string_view text);
 
-/// For tables of objects: the hash is as good as random already.
+/// Hash function for unordered containers: a content hash is as good as random already.
 struct ContentHashBucket {
   std::size_t operator()(const ContentHash& hash) const;
 };

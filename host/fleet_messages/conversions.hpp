@@ -14,19 +14,20 @@
 #include "host/team_exploration/team_view.hpp"
 #include "host/team_map/submap.hpp"
 
-// Messages from metres, seconds and radians, and back. What goes to whole numbers and back changes
-// by half a millimetre, half a millisecond and 0.05 mrad at most; a second time by nothing. A
-// conversion is empty where a number is none, or outside of its field's range.
+// Conversions between metres, seconds and radians and the whole numbers of messages. Rounding
+// changes a value by half a millimetre, half a millisecond and 0.05 mrad at most; rounding it again
+// changes nothing. A conversion to a message is empty where a value is not a number or outside of
+// its field's range.
 namespace echomap::fleet_messages {
 
-/// A pose that is known to some degree.
+/// A pose with its covariance.
 struct PoseEstimate {
   geometry::Pose2 T_map_robot;
-  /// Of x and y in metres and the heading in radians.
+  /// Covariance of x and y in metres and the heading in radians.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
-/// What a robot is like, as others need it to use what it has sensed.
+/// Properties of a robot that others need to use its readings.
 struct RobotTraits {
   double body_radius_m = 0.0;
   double beam_half_angle_rad = 0.2269;  ///< Of its sonar.
@@ -40,22 +41,22 @@ struct SourceReading {
   double dwell_s = 0.0;  ///< For how long pulses were counted; 0 for a level.
 };
 
-/// Readings by the odometry of one submap, so that they move with it.
+/// Readings in the odometry frame of one submap, so that they move with it.
 struct SourceBatch {
   std::uint32_t submap_index = 0;
   std::vector<SourceReading> readings;  ///< In the order of time.
 };
 
-/// What a robot that searches a source tells of it, in its own map.
+/// What a robot that searches a source reports of it, in its own map frame.
 struct SearchReport {
   source_search::SourceVerdict verdict = source_search::SourceVerdict::kUndecided;
-  double probability = 0.0;                         ///< Of the verdict; to 0.001.
-  Eigen::Vector2d at_m = Eigen::Vector2d::Zero();   ///< Of the source, where it is found.
-  double strength = 0.0;                            ///< Of that, one metre away.
+  double probability = 0.0;                         ///< Probability of the verdict; to 0.001.
+  Eigen::Vector2d at_m = Eigen::Vector2d::Zero();   ///< Position of the source, where it is found.
+  double strength = 0.0;                            ///< Strength of the source, one metre away.
   std::vector<source_search::PlannedDwell> plan{};  ///< What the robot is about to read.
 };
 
-/// Where a robot's map lies in the frame of its component, and its submaps, where the component's
+/// Pose of a robot's map in the frame of its component, and of its submaps where the component's
 /// pose graph has moved them.
 struct AlignedMap {
   std::string robot;
@@ -64,56 +65,57 @@ struct AlignedMap {
   std::vector<geometry::Pose2> T_component_submaps;
 };
 
-/// The submap as it is sent.
+/// Converts a submap to a message.
 std::optional<SubmapMessage> to_message(const team_map::Submap& submap, std::uint16_t map_number);
-/// The submap as it was sent.
+/// Converts a message back to a submap.
 team_map::Submap to_submap(const SubmapMessage& message);
 /// The submap as every receiver has it. The robot itself uses this one, so that all of them compute
 /// the same.
 std::optional<team_map::Submap> quantised(const team_map::Submap& submap);
 
-/// The pose graph as it is sent, with the covariance of its last pose.
+/// Converts a pose graph, with the covariance of its last pose, to a message.
 std::optional<GraphMessage> to_graph_message(const std::vector<geometry::Pose2>& T_map_submaps,
                                              const Eigen::Matrix3d& latest_covariance,
                                              std::uint16_t map_number);
-/// Poses as they were sent.
+/// Converts rows back to poses.
 std::vector<geometry::Pose2> to_poses(const std::vector<PoseRow>& rows);
 
-/// The robot's pose as it is sent; `stamp_s` is of its clock.
+/// Converts a robot's pose to a message; `stamp_s` is on the robot's clock.
 std::optional<PoseMessage> to_message(const PoseEstimate& pose,
                                       double stamp_s,
                                       std::uint16_t map_number);
-/// The robot's pose as it was sent.
+/// Converts a message back to a robot's pose.
 PoseEstimate to_pose_estimate(const PoseMessage& message);
-/// Symmetric; standard deviations above 65.535 m and 2 pi have become those.
+/// Converts a message's covariance back to a symmetric matrix. Standard deviations saturate
+/// at 65.535 m and 2 pi.
 Eigen::Matrix3d to_covariance(const CovariancePart& part);
 
-/// Claims as they are sent, without their robot: that is the message's author. `utility` above
-/// 4294 m2/s has become that.
+/// Converts claims to a message, without their robot, which is the message's author. `utility`
+/// saturates at 4294 m2/s.
 std::optional<ClaimMessage> to_message(const std::vector<team_exploration::Claim>& claims,
                                        std::uint16_t map_number);
-/// Claims as they were sent by that robot.
+/// Converts a message of that robot back to claims.
 std::vector<team_exploration::Claim> to_claims(const ClaimMessage& message,
                                                const std::string& robot);
 
-/// Readings as they are sent; empty where there is none, too.
+/// Converts readings to a message; empty where there is no reading, too.
 std::optional<SourceMessage> to_message(const SourceBatch& batch, std::uint16_t map_number);
-/// Readings as they were sent.
+/// Converts a message back to readings.
 SourceBatch to_source_batch(const SourceMessage& message);
 
-/// A searching robot's report as it is sent.
+/// Converts the report of a robot that searches a source to a message.
 std::optional<SearchMessage> to_message(const SearchReport& report, std::uint16_t map_number);
-/// A report as it was sent.
+/// Converts a message back to a search report.
 SearchReport to_search_report(const SearchMessage& message);
 
-/// An alignment as it is sent.
+/// Converts an alignment to a message.
 std::optional<AlignmentMessage> to_message(const std::vector<AlignedMap>& maps);
-/// An alignment as it was sent.
+/// Converts a message back to an alignment.
 std::vector<AlignedMap> to_aligned_maps(const AlignmentMessage& message);
 
-/// The presence with what the robot is like.
+/// Adds the robot's traits to a presence message.
 std::optional<PresenceMessage> with_traits(PresenceMessage message, const RobotTraits& traits);
-/// What a robot is like that has sent such a presence.
+/// Traits of the robot that has sent a presence message.
 RobotTraits to_traits(const PresenceMessage& message);
 
 }  // namespace echomap::fleet_messages

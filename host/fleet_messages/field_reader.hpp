@@ -52,9 +52,9 @@ class FieldReader {
     }
   }
 
-  /// All bytes that are left, which are then read.
+  /// Reads all bytes that are left.
   std::string_view take_rest() { return take(bytes_.size()); }
-  /// Why it is no such message, after its last field; empty where it is one.
+  /// Why the bytes are not a valid message, after its last field; empty where they are.
   std::optional<RefusedReason> finish();
 
  private:
@@ -78,9 +78,9 @@ class FieldReader {
   }
 
   std::uint64_t read(std::size_t size);
-  /// A number of so many bits; its encoding has no more bytes than it needs.
+  /// Reads a number of at most `bits` bits, whose encoding must be the shortest one.
   std::int32_t read_signed(unsigned bits);
-  /// Of elements that take `element_bytes` or more each.
+  /// Reads the number of elements that take `element_bytes` or more each.
   std::size_t read_count(std::size_t element_bytes);
   /// The next bytes; none where there are fewer.
   std::string_view take(std::size_t size);

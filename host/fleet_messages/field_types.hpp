@@ -25,14 +25,14 @@ concept TableRow = requires { requires T::kIsRow; };
 template <class T>
 concept MessagePart = requires { requires T::kIsPart; };
 
-/// The most rows of a table and elements of a list.
+/// Largest number of rows of a table and of elements of a list.
 inline constexpr std::size_t kMaxElements = 8192;
 
-/// The largest value of a field that may have any of its type.
+/// Largest value of a field that accepts all values of its type.
 template <std::integral T>
 inline constexpr std::uint64_t kAnyValue = std::numeric_limits<std::make_unsigned_t<T>>::max();
 
-/// How many columns a table of that row has.
+/// Number of columns of a table with such rows.
 template <TableRow Row>
 constexpr std::size_t column_count() {
   std::size_t count = 0;

@@ -14,8 +14,8 @@
 
 namespace echomap::fleet_messages {
 
-/// A visitor that appends a message's fields to bytes; docs/fleet_protocol.md says how each type is
-/// written. What a reader would refuse is written all the same, and `fits` is false.
+/// A visitor that appends a message's fields to bytes, in the encoding of docs/fleet_protocol.md.
+/// Values that a reader would refuse are written nevertheless, and `fits` is then false.
 class FieldWriter {
  public:
   explicit FieldWriter(std::string& bytes) : bytes_(bytes) {}

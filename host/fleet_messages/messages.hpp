@@ -12,22 +12,22 @@
 #include "host/fleet_messages/table_rows.hpp"
 #include "host/fleet_messages/topic.hpp"
 
-// What robots of a fleet tell each other, in whole numbers: lengths in millimetres, times in
-// milliseconds of the author's clock, angles in turns / 65536 (0.096 mrad). conversions.hpp turns
-// them into metres, seconds and radians. docs/fleet_protocol.md has the same lists.
+// Messages between the robots of a fleet, in whole numbers: lengths in millimetres, times in
+// milliseconds of the author's clock, angles in turns / 65536 (0.096 mrad). conversions.hpp
+// converts them to metres, seconds and radians. docs/fleet_protocol.md has the same lists.
 namespace echomap::fleet_messages {
 
-/// Times are below this, some 8900 years.
+/// Largest time, some 8900 years.
 inline constexpr std::uint64_t kMaxStampMs = (std::uint64_t{1} << 48U) - 1;
 
-/// A submap reaches this far from its first reading, and a map from its first stop: grids are made
-/// of them, so that a robot whose map lies on both sides of the earth would take the memory of all.
+/// Largest distance of a submap's poses from its first reading, and of a map's submaps from its
+/// first stop. Grids cover them: a map that spans the earth would exhaust the memory of all robots.
 inline constexpr std::int64_t kMaxSubmapReachMm = 30'000;
 inline constexpr std::int64_t kMaxMapReachMm = 100'000;
-/// So does a map of several robots.
+/// Largest distance in a map of several robots.
 inline constexpr std::int64_t kMaxTeamReachMm = 2 * kMaxMapReachMm;
 
-/// Whether a pose is so near to another one, in x and in y.
+/// Whether a pose lies within `reach_mm` of another one, in x and in y.
 constexpr bool is_within(const PoseRow& pose, const PoseRow& middle, std::int64_t reach_mm) {
   const std::int64_t x_mm = std::int64_t{pose.x_mm} - middle.x_mm;
   const std::int64_t y_mm = std::int64_t{pose.y_mm} - middle.y_mm;
@@ -37,24 +37,26 @@ constexpr bool is_within(const PoseRow& pose, const PoseRow& middle, std::int64_
 /// Whether a robot takes part.
 enum class PresenceState : std::uint8_t {
   kHere,
-  kLeft,  ///< It has said good-bye.
-  kGone,  ///< Its last will: the broker has lost it.
+  kLeft,  ///< It has announced that it leaves.
+  kGone,  ///< Its last will: the broker has lost its connection.
 };
 
-/// That a robot takes part, what it is like, and what it has: sent every few seconds.
+/// Heartbeat of a robot: whether it takes part, its traits, and which data it has. Sent every few
+/// seconds.
 struct PresenceMessage {
   static constexpr TopicKind kKind = TopicKind::kPresence;
   std::uint8_t state = 0;        ///< A PresenceState.
-  std::uint16_t map_number = 0;  ///< Of the map that it is making now.
+  std::uint16_t map_number = 0;  ///< Map that it is building now.
   std::uint16_t body_radius_mm = 0;
   std::uint16_t beam_half_angle = 2367;  ///< 13 degrees.
-  std::uint32_t own_objects = 0;         ///< How many its manifest has.
+  std::uint32_t own_objects = 0;         ///< Number of objects in its manifest.
   ContentHash latest_set;           ///< Of the payloads of its latest graphs, claims and alignment.
-  std::uint32_t known_objects = 0;  ///< How many it has, of whomever,
+  std::uint32_t known_objects = 0;  ///< Number of objects that it has, of any robot,
   ContentHash known_set;            ///< and the hash of their set.
   bool operator==(const PresenceMessage&) const = default;
 
-  /// Whether there is such a robot: a hull of up to 5 m, a beam of up to 45 degrees to each side.
+  /// Whether the traits are plausible: a hull of up to 5 m, a beam of up to 45 degrees to each
+  /// side.
   bool is_consistent() const {
     return body_radius_mm <= 5000 && beam_half_angle > 0 && beam_half_angle <= 65536 / 8;
   }
@@ -72,7 +74,7 @@ struct PresenceMessage {
   }
 };
 
-/// Where a robot is in its own map.
+/// Pose of a robot in its own map.
 struct PoseMessage {
   static constexpr TopicKind kKind = TopicKind::kPose;
   std::uint64_t stamp_ms = 0;
@@ -90,7 +92,7 @@ struct PoseMessage {
   }
 };
 
-/// An object: what was sensed from one stop and on the way there (team_map::Submap). Never changes.
+/// An object: the readings of one stop and of the path to it (team_map::Submap). Never changes.
 struct SubmapMessage {
   static constexpr TopicKind kKind = TopicKind::kSubmap;
   std::uint16_t map_number = 0;
@@ -102,7 +104,8 @@ struct SubmapMessage {
   std::vector<ContactRow> contacts;
   bool operator==(const SubmapMessage&) const = default;
 
-  /// Whether it is a submap: with readings, in the order of time, all of one place.
+  /// Whether the submap has readings, its times are in order, and all of it lies near its first
+  /// reading.
   bool is_consistent() const {
     const auto is_near = [this](const PoseRow& T_odom_robot) {
       return is_within(T_odom_robot, readings.front().T_odom_robot, kMaxSubmapReachMm);
@@ -125,12 +128,12 @@ struct SubmapMessage {
   }
 };
 
-/// Where a robot's submaps lie in its map by what its SLAM knows now.
+/// Pose graph of a robot: poses of its submaps in its map, as its SLAM has them now.
 struct GraphMessage {
   static constexpr TopicKind kKind = TopicKind::kGraph;
   std::uint16_t map_number = 0;
-  CovariancePart latest_covariance;    ///< Of the last of them, given the first.
-  std::vector<PoseRow> T_map_submaps;  ///< By the submaps' index.
+  CovariancePart latest_covariance;    ///< Of the last pose, given the first.
+  std::vector<PoseRow> T_map_submaps;  ///< By index of the submap.
   bool operator==(const GraphMessage&) const = default;
 
   bool is_consistent() const {
@@ -147,10 +150,10 @@ struct GraphMessage {
   }
 };
 
-/// Which objects a robot has made: one page of their names, in the order they were made in.
+/// One page of the list of a robot's objects: their names, in the order in which they were made.
 struct ManifestMessage {
   static constexpr TopicKind kKind = TopicKind::kManifest;
-  /// Full pages never change, so that an object costs the names of one page, not of all.
+  /// Full pages never change, so that a new object costs one page, not the whole list.
   static constexpr std::size_t kObjectsPerPage = 32;
   std::uint16_t page = 0;
   std::vector<ContentHash> objects;
@@ -165,7 +168,7 @@ struct ManifestMessage {
   }
 };
 
-/// Another robot.
+/// Name of another robot.
 struct RobotNamePart {
   static constexpr bool kIsPart = true;
   std::string robot;
@@ -177,7 +180,7 @@ struct RobotNamePart {
   }
 };
 
-/// Where a robot wants to look from; none where it gives its claims back.
+/// Viewpoints that a robot claims; none where it gives its claims back.
 struct ClaimMessage {
   static constexpr TopicKind kKind = TopicKind::kClaim;
   std::uint16_t map_number = 0;
@@ -199,7 +202,7 @@ struct ClaimMessage {
 struct SourceMessage {
   static constexpr TopicKind kKind = TopicKind::kSource;
   std::uint16_t map_number = 0;
-  std::uint32_t submap_index = 0;  ///< The submap by whose odometry the poses are.
+  std::uint32_t submap_index = 0;  ///< Submap in whose odometry frame the poses are.
   std::uint64_t begin_ms = 0;
   std::vector<SourceRow> readings;
   bool operator==(const SourceMessage&) const = default;
@@ -215,11 +218,11 @@ struct SourceMessage {
   }
 };
 
-/// A robot of a lockstep fleet has said all that it has to say in a round.
+/// End of a robot's part of a round of a fleet in lockstep (fleet::FleetRounds).
 struct ClockMessage {
   static constexpr TopicKind kKind = TopicKind::kClock;
   std::uint32_t round = 0;
-  std::uint32_t last_counter = 0;    ///< Of its latest message but for clocks and objects.
+  std::uint32_t last_counter = 0;    ///< Counter of its latest message except clocks and objects.
   std::uint8_t leaves = 0;           ///< 1: it takes no part in later rounds.
   std::vector<ContentHash> objects;  ///< Published in this round.
   bool operator==(const ClockMessage&) const = default;
@@ -233,8 +236,8 @@ struct ClockMessage {
   }
 };
 
-/// How the maps of robots that have found each other lie in one frame, by the robot of them whose
-/// name comes first: the graph that all of them use.
+/// Poses of joined maps in one frame, published by the robot of them whose name comes first: the
+/// graph that all of them use.
 struct AlignmentMessage {
   static constexpr TopicKind kKind = TopicKind::kAlignment;
   std::vector<AlignedMapPart> maps;
@@ -253,7 +256,7 @@ struct AlignmentMessage {
   }
 };
 
-/// What a robot misses of another.
+/// Request for data of another robot that the author misses.
 struct AskMessage {
   static constexpr TopicKind kKind = TopicKind::kAsk;
   std::string robot;
@@ -269,13 +272,13 @@ struct AskMessage {
   }
 };
 
-/// What a robot that searches a source has come to, and what it is about to read.
+/// What a robot that searches a source has found, and what it is about to read.
 struct SearchMessage {
   static constexpr TopicKind kKind = TopicKind::kSearch;
   std::uint16_t map_number = 0;
   std::uint8_t verdict = 0;             ///< A source_search::SourceVerdict.
   std::uint16_t probability_milli = 0;  ///< Of the verdict.
-  std::int32_t x_mm = 0;                ///< Where the source is; 0 where it is not found.
+  std::int32_t x_mm = 0;                ///< Position of the source; 0 where it is not found.
   std::int32_t y_mm = 0;
   std::uint32_t strength_milli = 0;  ///< Thousandths of a pulse a second at 1 m, or of the level.
   std::vector<DwellRow> plan;
@@ -293,7 +296,7 @@ struct SearchMessage {
   }
 };
 
-/// Any of them. The index of a type, plus one, is its kind in a payload.
+/// Any message. The index of a type, plus one, is its kind in a payload.
 using MessageBody = std::variant<PresenceMessage,
                                  PoseMessage,
                                  SubmapMessage,
@@ -306,7 +309,7 @@ using MessageBody = std::variant<PresenceMessage,
                                  AskMessage,
                                  SearchMessage>;
 
-/// Whether a kind is that of objects: named by their hash, without boot id and counter.
+/// Whether a kind is that of objects, which are named by their hash, without boot id and counter.
 constexpr bool is_object(TopicKind kind) {
   return kind == TopicKind::kSubmap || kind == TopicKind::kSource;
 }

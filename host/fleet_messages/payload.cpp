@@ -56,7 +56,7 @@ std::string check_of(std::string_view bytes) {
   return {hash.bytes.begin(), hash.bytes.begin() + kCheckBytes};
 }
 
-/// Why the bytes are no payload of this version, whatever they say.
+/// Why the bytes are not a payload of this version, whatever their content.
 std::optional<RefusedReason> refused_as_bytes(std::string_view payload) {
   if (payload.size() > kMaxPayloadBytes) {
     return RefusedReason::kTooLarge;

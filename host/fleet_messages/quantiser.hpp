@@ -14,10 +14,10 @@
 
 namespace echomap::fleet_messages {
 
-/// Of a message's angles: once around is 2^16 of them.
+/// Unit of the angles in messages, radians: a full turn is 2^16 of them.
 inline constexpr double kAngleUnitRad = geometry::kFullTurnRad / 65536.0;
 
-/// Turns metres, seconds and radians into whole numbers, and notes whether all of them fitted.
+/// Rounds metres, seconds and radians to whole numbers, and notes whether all of them fitted.
 class Quantiser {
  public:
   /// The nearest whole number; 0 where it is out of the type's range or not a number.
@@ -31,26 +31,26 @@ class Quantiser {
   T thousandths(double value) {
     return nearest<T>(1000.0 * value);
   }
-  /// What is larger than the type's largest becomes that.
+  /// The nearest whole number, at most the largest of its type.
   template <std::integral T>
   T saturated(double value) {
     return nearest<T>(std::min(value, static_cast<double>(std::numeric_limits<T>::max())));
   }
-  /// Milliseconds of a stamp.
+  /// The stamp in milliseconds.
   std::uint64_t stamp_ms(double stamp_s) {
     return static_cast<std::uint64_t>(
         nearest_between(1000.0 * stamp_s, 0, static_cast<std::int64_t>(kMaxStampMs)));
   }
-  /// Millimetres of a range.
+  /// The range in millimetres.
   std::uint16_t range_mm(double range_m) {
     return static_cast<std::uint16_t>(
         nearest_between(1000.0 * range_m, 0, ReadingRow::kNoRange - 1));
   }
-  /// A direction; any number of turns more is the same.
+  /// A direction in angle units, modulo full turns.
   std::uint16_t direction(double angle_rad) {
     return static_cast<std::uint16_t>(nearest<std::int32_t>(angle_rad / kAngleUnitRad));
   }
-  /// A turn that may be more than once around.
+  /// A rotation in angle units, which may exceed a full turn.
   std::int32_t turn(double turn_rad) { return nearest<std::int32_t>(turn_rad / kAngleUnitRad); }
   PoseRow pose(const geometry::Pose2& pose) {
     return {thousandths<std::int32_t>(pose.x_m()),
@@ -72,13 +72,13 @@ class Quantiser {
   bool fits_ = true;
 };
 
-/// Back to radians, in (-pi, pi].
+/// Converts a direction back to radians, in (-pi, pi].
 inline double to_direction_rad(std::uint16_t direction) {
   const std::int32_t signed_direction = direction > 32768 ? direction - 65536 : direction;
   return kAngleUnitRad * signed_direction;
 }
 
-/// Back to a pose.
+/// Converts a row back to a pose in metres and radians.
 inline geometry::Pose2 to_pose(const PoseRow& row) {
   return {row.x_mm / 1000.0, row.y_mm / 1000.0, to_direction_rad(row.heading)};
 }

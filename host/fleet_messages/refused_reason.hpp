@@ -7,30 +7,30 @@
 
 namespace echomap::fleet_messages {
 
-/// Why a message is not taken in.
+/// Why a message is refused.
 enum class RefusedReason : std::uint8_t {
-  kWrongTopic,        ///< The topic is none of a fleet, or its kind is not the payload's.
+  kWrongTopic,        ///< The topic is not one of a fleet, or its kind is not the payload's.
   kTooLarge,          ///< The payload, or what it unpacks to, is longer than any may be.
-  kTooShort,          ///< The payload is shorter than its header and check.
+  kTooShort,          ///< The payload is shorter than its header and checksum.
   kUnknownVersion,    ///< Another version of the schema.
   kUnknownKind,       ///< A kind that this version does not have.
-  kDamaged,           ///< The check is not that of the bytes.
-  kCannotDecompress,  ///< The body is no whole zstd frame that says its size.
+  kDamaged,           ///< The checksum is not that of the bytes.
+  kCannotDecompress,  ///< The body is not one whole zstd frame that states its size.
   kCutShort,          ///< The body ends within a field.
-  kTrailingBytes,     ///< The body goes on behind its last field.
-  kMalformed,         ///< A count or a number is not written as it has to be.
+  kTrailingBytes,     ///< The body continues behind its last field.
+  kMalformed,         ///< A count or a number has an invalid encoding.
   kOutOfRange,        ///< A number or a name is outside of its range.
-  kWrongHash,         ///< The object's bytes have another hash than its topic says.
+  kWrongHash,         ///< The object's bytes have another hash than its topic.
   kForeignAuthor,     ///< The payload's author is not the robot whose topic it came on.
   kOldBoot,           ///< The author has started again since.
-  kReplayed,          ///< A later message of the author has come before.
+  kReplayed,          ///< A later message of the author was received before.
   kOverQuota,         ///< The author has made more than a robot may, or the fleet has no room.
 };
 
-/// One more than the last of them.
+/// Number of reasons.
 inline constexpr std::size_t kRefusedReasons = 16;
 
-/// As it is counted in reports: "wrong_topic", "too_large" ..
+/// Name of a reason in reports: "wrong_topic", "too_large" ..
 constexpr std::string_view name_of(RefusedReason reason) {
   constexpr std::string_view kNames[kRefusedReasons] = {"wrong_topic",
                                                         "too_large",

@@ -25,7 +25,7 @@ struct PoseRow {
   }
 };
 
-/// slam::StopReading.
+/// A slam::StopReading.
 struct ReadingRow {
   static constexpr bool kIsRow = true;
   /// `range_mm` where there was no echo.
@@ -57,7 +57,7 @@ struct ReadingRow {
   }
 };
 
-/// team_map::SubmapContact.
+/// A team_map::SubmapContact.
 struct ContactRow {
   static constexpr bool kIsRow = true;
   PoseRow T_odom_robot;
@@ -71,7 +71,7 @@ struct ContactRow {
   }
 };
 
-/// A place that a robot bids to look from.
+/// A viewpoint that a robot claims.
 struct ClaimRow {
   static constexpr bool kIsRow = true;
   std::int32_t x_mm = 0;
@@ -124,7 +124,7 @@ struct DwellRow {
 };
 
 /// Covariance of a pose: standard deviations and correlations in 1/127. The largest standard
-/// deviation stands for larger ones, too.
+/// deviation represents larger ones, too.
 struct CovariancePart {
   static constexpr bool kIsPart = true;
   std::uint16_t x_stddev_mm = 0;
@@ -146,14 +146,14 @@ struct CovariancePart {
   }
 };
 
-/// Where a robot's map lies in the frame of a component, and, as far as the component's pose graph
-/// moves them against each other, its submaps.
+/// Pose of a robot's map in the frame of a component, and of its submaps as far as the component's
+/// pose graph moves them against each other.
 struct AlignedMapPart {
   static constexpr bool kIsPart = true;
   std::string robot;
   std::uint16_t map_number = 0;
   PoseRow T_component_map;
-  std::vector<PoseRow> T_component_submaps;  ///< By index; none: by T_component_map.
+  std::vector<PoseRow> T_component_submaps;  ///< By index; empty: as by T_component_map.
   bool operator==(const AlignedMapPart&) const = default;
 
   template <class M, class V>

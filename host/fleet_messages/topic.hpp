@@ -11,7 +11,7 @@
 
 namespace echomap::fleet_messages {
 
-/// What a topic is for.
+/// Kind of the messages on a topic.
 enum class TopicKind : std::uint8_t {
   kPresence,
   kPose,
@@ -27,7 +27,7 @@ enum class TopicKind : std::uint8_t {
   kRelay,
 };
 
-/// All of them, in the order of the enumerators.
+/// All kinds, in the order of the enumerators.
 inline constexpr TopicKind kTopicKinds[] = {TopicKind::kPresence,
                                             TopicKind::kPose,
                                             TopicKind::kSubmap,
@@ -41,7 +41,7 @@ inline constexpr TopicKind kTopicKinds[] = {TopicKind::kPresence,
                                             TopicKind::kSearch,
                                             TopicKind::kRelay};
 
-/// What follows the kind: nothing, a page or map number, or the name of an object.
+/// Last level of a topic: nothing, a page or map number, or the name of an object.
 using TopicId = std::variant<std::monostate, std::uint16_t, ContentHash>;
 
 /// A topic of a fleet: `echomap/1/FLEET/ROBOT/KIND` or `echomap/1/FLEET/ROBOT/KIND/ID`. A robot
@@ -54,19 +54,19 @@ struct FleetTopic {
   bool operator==(const FleetTopic&) const = default;
 };
 
-/// As it is written in a topic: "presence", "pose" ..
+/// Name of a kind in a topic: "presence", "pose" ..
 std::string_view name_of(TopicKind kind);
 
-/// Whether broker and late joiners are to have the latest message of such a topic.
+/// Whether the broker retains the latest message of such a topic for late joiners.
 bool is_retained(TopicKind kind);
 
-/// The topic's text. Fleet and robot have valid names, and the kind has an id of its type.
+/// Text of a topic. Fleet and robot must have valid names, and the id must be of the kind's type.
 std::string format_topic(const FleetTopic& topic);
 
-/// The topic of a text; empty where it is none that `format_topic` writes.
+/// Parses what `format_topic` returns; empty for any other text.
 std::optional<FleetTopic> parse_topic(std::string_view text);
 
-/// The filter of all topics of a fleet.
+/// MQTT filter for all topics of a fleet.
 std::string fleet_filter(std::string_view fleet);
 
 }  // namespace echomap::fleet_messages

@@ -10,10 +10,10 @@ namespace echomap::mqtt {
 /// How long to wait between attempts to connect.
 struct BackoffParams {
   double first_s = 0.2;   ///< After the first failure, seconds.
-  double max_s = 5.0;     ///< At most: a broker that is back is found within this time.
-  double factor = 2.0;    ///< From one failure to the next.
-  double jitter = 0.5;    ///< Share of each wait that is drawn: a fleet does not come at once.
-  double steady_s = 5.0;  ///< A connection of this length, seconds, was none of the failures.
+  double max_s = 5.0;     ///< Longest wait: a broker that is back is found within this time.
+  double factor = 2.0;    ///< Factor from one wait to the next.
+  double jitter = 0.5;    ///< Random share of each wait: a fleet does not reconnect at once.
+  double steady_s = 5.0;  ///< A connection that lasted longer, seconds, resets the wait.
 };
 
 /// Exponential back-off with jitter. Times are the caller's.
@@ -28,7 +28,7 @@ class Backoff {
   void note_connected(Clock::time_point now);
   /// An attempt has failed, or a connection has ended.
   void note_failed(Clock::time_point now);
-  /// The wait that the last failure has begun.
+  /// Wait after the last failure.
   Clock::duration wait() const { return wait_; }
 
  private:

@@ -58,7 +58,7 @@ struct Connection::Callbacks {
     Connection& connection = of(self);
     ++connection.events_;
     if (code != 0) {
-      connection.told_reason_ = reason_of_connack(code);
+      connection.reported_reason_ = reason_of_connack(code);
       connection.has_ended_ = true;
       return;
     }
@@ -82,9 +82,9 @@ struct Connection::Callbacks {
     Connection& connection = of(self);
     ++connection.events_;
     connection.has_ended_ = true;
-    const Reason told = reason_of_code(code);
-    if (told != Reason::kNone) {
-      connection.told_reason_ = told;
+    const Reason reported = reason_of_code(code);
+    if (reported != Reason::kNone) {
+      connection.reported_reason_ = reported;
     }
   }
 
@@ -250,7 +250,7 @@ void Connection::disconnect() {
 void Connection::connect(Clock::time_point now) {
   client_ = make_client();
   begun_ = now;
-  told_reason_ = Reason::kNone;
+  reported_reason_ = Reason::kNone;
   has_ended_ = false;
   const int error = mosquitto_connect_bind_async(
       client_.get(), params_.host.c_str(), params_.port, params_.keep_alive_s, nullptr);
@@ -353,8 +353,8 @@ void Connection::end(Clock::time_point now, Reason reason) {
 }
 
 Reason Connection::reason_of_error(int error) const {
-  if (told_reason_ != Reason::kNone) {
-    return told_reason_;
+  if (reported_reason_ != Reason::kNone) {
+    return reported_reason_;
   }
   switch (error) {
     case MOSQ_ERR_EAI:

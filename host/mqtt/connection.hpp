@@ -17,44 +17,44 @@
 #include "host/mqtt/outbox.hpp"
 #include "host/mqtt/reason.hpp"
 
-// That of libmosquitto.
+// The client of libmosquitto.
 struct mosquitto;
 
 namespace echomap::mqtt {
 
-/// Where and as whom a connection is made.
+/// Address and identity of a connection.
 struct ConnectionParams {
-  /// An address. A name is looked up at every attempt, for which take() waits.
+  /// Address of the broker. A name is resolved at every attempt, for which take() waits.
   std::string host = "127.0.0.1";
   std::uint16_t port = 1883;
-  std::string client_id;  ///< At least one character; brokers of ours take the user's name.
+  std::string client_id;  ///< At least one character; our brokers use the user's name.
   std::string user;       ///< Empty: none is sent.
   std::string password;
   std::filesystem::path ca_file;  ///< TLS, with a certificate by this CA; empty: plain TCP.
   std::optional<LastWill> will;
-  /// Seconds without a packet after which the broker is asked for one, 5 to 65535; a connection
-  /// that is silent is given up within twice this time.
+  /// Seconds without a packet after which the broker is pinged, 5 to 65535; a connection that is
+  /// silent is given up within twice this time.
   int keep_alive_s = 10;
   double answer_s = 10.0;  ///< How long the broker may take to accept, seconds.
-  /// Deliveries at least once that may be unacknowledged, 1 to 65535: on a line of 2 s of delay 500
-  /// a second.
+  /// Deliveries at least once that may be unacknowledged, 1 to 65535: 500 a second on a line with 2
+  /// s of delay.
   int receive_maximum = 1000;
-  int send_maximum = 100;  ///< The same of what is published; the broker may want fewer.
+  int send_maximum = 100;  ///< The same for published messages; the broker may allow fewer.
   OutboxParams outbox;
   BackoffParams backoff;
-  std::uint32_t seed = 1;  ///< Of the jitter between attempts: not that of others of the fleet.
+  std::uint32_t seed = 1;  ///< Seed of the jitter; differs between the members of a fleet.
 };
 
-/// What a connection has done so far.
+/// Counts of a connection so far.
 struct ConnectionStatistics {
   std::size_t published = 0;  ///< Sent, of both kinds; those at least once may be sent twice.
-  std::size_t acked = 0;      ///< At least once: taken by the broker, which is no promise.
-  std::size_t refused = 0;    ///< At least once: not taken by the broker.
-  std::size_t too_large = 0;  ///< Not sent: larger than the broker takes.
-  std::size_t dropped = 0;    ///< Not sent: at most once without a line, or too much waits.
+  std::size_t acked = 0;      ///< At least once: accepted by the broker, which is no promise.
+  std::size_t refused = 0;    ///< At least once: rejected by the broker.
+  std::size_t too_large = 0;  ///< Not sent: larger than the broker accepts.
+  std::size_t dropped = 0;    ///< Not sent: at most once without a connection, or a full outbox.
   std::size_t reconnects = 0;
   std::size_t failed_attempts = 0;
-  std::size_t subscribed = 0;  ///< Answers to subscriptions, those after a reconnection, too.
+  std::size_t subscribed = 0;  ///< Acknowledged subscriptions, those after a reconnection, too.
   std::size_t received = 0;
   std::size_t published_bytes = 0;  ///< Topics and payloads.
   std::size_t received_bytes = 0;
@@ -66,15 +66,15 @@ struct RefusedMessage {
   Reason reason = Reason::kNone;
 };
 
-/// A client of an MQTT 5 broker, without a thread: take() serves the socket and never waits for it.
-/// It connects by itself, and again after every end, with a clean start: what is retained comes
+/// A client of an MQTT 5 broker, without a thread: take() serves the socket and never blocks on it.
+/// It connects by itself, and again after every end, with a clean start: retained messages come
 /// again, and what was published at least once and is not acknowledged is sent again.
 class Connection final : public MessageBus {
  public:
   /// Nothing is sent before the first take(). Throws std::invalid_argument where a parameter is out
   /// of its range, and std::runtime_error where the CA's file cannot be read.
   explicit Connection(const ConnectionParams& params);
-  /// The broker publishes the will.
+  /// Drops the connection, so that the broker publishes the will.
   ~Connection() override;
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
@@ -88,7 +88,7 @@ class Connection final : public MessageBus {
   bool is_connected() const override { return is_connected_; }
   std::size_t connections() const override { return connections_; }
 
-  /// Ends the connection in order: the broker publishes no will. take() does not connect again.
+  /// Disconnects: the broker publishes no will, and take() does not connect again.
   void disconnect();
   /// Why there is no connection, or why the last one has ended.
   Reason reason() const { return reason_; }
@@ -97,15 +97,15 @@ class Connection final : public MessageBus {
   /// The message that was refused last.
   const std::optional<RefusedMessage>& last_refused() const { return last_refused_; }
   const ConnectionStatistics& statistics() const { return statistics_; }
-  /// Messages that are not acknowledged yet.
+  /// Number of messages that are not acknowledged yet.
   std::size_t unacknowledged() const { return outbox_.size(); }
-  /// Largest packet that the broker takes, bytes; empty where it names none or is not known yet.
+  /// Largest packet that the broker accepts, bytes; empty where it names none or is not known yet.
   std::optional<std::size_t> max_packet_bytes() const { return max_packet_bytes_; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// What libmosquitto calls.
+  /// Callbacks of libmosquitto.
   struct Callbacks;
 
   struct Destroy {
@@ -136,7 +136,7 @@ class Connection final : public MessageBus {
   std::size_t connections_ = 0;
   std::size_t events_ = 0;  ///< Packets of the broker that were noticed.
   Reason reason_ = Reason::kNone;
-  Reason told_reason_ = Reason::kNone;  ///< By the broker, of this connection.
+  Reason reported_reason_ = Reason::kNone;  ///< Reported by the broker for this connection.
   Clock::time_point begun_{};
   bool was_taken_over_ = false;
   bool is_connected_ = false;

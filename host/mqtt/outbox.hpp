@@ -9,7 +9,7 @@
 
 namespace echomap::mqtt {
 
-/// How much is kept for a broker that is away.
+/// How much is stored while the broker is away.
 struct OutboxParams {
   std::size_t max_messages = 10'000;  ///< Two hours of a robot's objects at one a second.
   std::size_t max_bytes = std::size_t{16} << 20;  ///< Topics and payloads.
@@ -20,27 +20,27 @@ struct OutgoingMessage {
   std::string topic;
   std::string payload;
   bool retain = false;
-  int packet_id = 0;  ///< Of the packet it is on its way in.
+  int packet_id = 0;  ///< Packet in which it is in flight.
 };
 
-/// What was handed over to be delivered at least once and is not acknowledged yet, in its order:
-/// first what is on its way, then what waits. Of a retained topic only the newest waits. When it is
-/// full, the oldest that waits makes room.
+/// Messages to be delivered at least once that are not acknowledged yet, in their order: first
+/// those in flight, then those that wait. Of a retained topic only the newest waits. When it is
+/// full, the oldest that waits is dropped.
 class Outbox {
  public:
   explicit Outbox(const OutboxParams& params) : params_(params) {}
 
-  /// How many messages were dropped to make room; 1 where the message itself is.
+  /// Adds a message. Returns how many were dropped to make room; 1 where it is the message itself.
   std::size_t push(const std::string& topic, std::string_view payload, bool retain);
-  /// The first one that waits; null where none does.
+  /// The first message that waits; null where none does.
   const OutgoingMessage* next() const;
-  /// That one is on its way.
+  /// Marks that message as in flight, in this packet.
   void note_sent(int packet_id);
-  /// Takes out the one that came in this packet; empty where none did.
+  /// Removes and returns the message of this packet; empty where there is none.
   std::optional<OutgoingMessage> take_answered(int packet_id);
-  /// Takes out the first one that waits.
+  /// Removes the first message that waits.
   void drop_next();
-  /// The connection has ended: nothing is on its way.
+  /// The connection has ended: no message is in flight.
   void reset_sent() { sent_ = 0; }
 
   std::size_t sent() const { return sent_; }

@@ -10,23 +10,23 @@
 
 namespace echomap::source_search {
 
-/// The integral over nuisances that is fine enough for a block: where its likelihoods are narrow in
-/// the strength, that is cut into more steps.
+/// Integral over the nuisance parameters that is fine enough for a block: where its likelihoods are
+/// narrow in the strength, that is cut into more steps.
 NuisanceIntegral integral_for(const HypothesisGrid& grid, const LeafBlock& block);
 
 /// Posteriors of a block, as likelihoods over exp(reference), not normalized.
 struct BlockPosterior {
   std::array<double, kLanes> place{};
-  std::vector<double> background;  ///< Of all places of the block.
+  std::vector<double> background;  ///< Over all places of the block.
 };
 
-/// With a prior of `density` a square metre.
+/// Computes the posterior of a block, with a prior of `density` per square metre.
 BlockPosterior posterior_of(const HypothesisGrid& grid,
                             const LeafBlock& block,
                             double density,
                             double reference);
 
-/// What a place is combined with, and how probable that is there.
+/// Nuisance parameters that a place is combined with, and their probability there.
 struct NuisanceShare {
   double probability = 0.0;
   double strength = 0.0;
@@ -34,10 +34,10 @@ struct NuisanceShare {
   Shielding shielding;
 };
 
-/// All that a place is combined with.
+/// All combinations of nuisance parameters of a place.
 std::vector<NuisanceShare> nuisances_of(const HypothesisGrid& grid, LeafIndex leaf);
 
-/// The prior's mass at each background of a grid.
+/// Prior mass of each background of a grid.
 std::vector<float> background_masses(const HypothesisGrid& grid);
 
 }  // namespace echomap::source_search

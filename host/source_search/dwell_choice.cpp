@@ -26,13 +26,13 @@ constexpr double kFineReachM = 2.5;
 constexpr double kFineStepM = 0.3;
 
 /// The ways of a tree, gone through depth first, so that each is measured once.
-class WaySearch {
+class PathSearch {
  public:
-  WaySearch(const DwellChoiceParams& params,
-            const InformationGain& gain,
-            const DwellLattice& lattice,
-            const DwellLattice::Tree& tree,
-            PairDistances others)
+  PathSearch(const DwellChoiceParams& params,
+             const InformationGain& gain,
+             const DwellLattice& lattice,
+             const DwellLattice::Tree& tree,
+             PairDistances others)
       : params_(params),
         gain_(gain),
         lattice_(lattice),
@@ -41,7 +41,7 @@ class WaySearch {
         before_(gain.expected_log_probability(others_)),
         children_(tree.parent.size()) {
     for (const std::uint32_t place : tree.order) {
-      if (time_s(place) > params.max_way_s) {
+      if (time_s(place) > params.max_path_s) {
         break;
       }
       const std::int32_t parent = tree.parent[place];
@@ -160,7 +160,7 @@ DwellChoice::DwellChoice(const DwellChoiceParams& params) : params_(params) {
   geometry::ParameterValidator("dwell choice")
       .positive("samples", params.samples)
       .positive_finite("spacing_m", params.spacing_m)
-      .positive_finite("max_way_s", params.max_way_s)
+      .positive_finite("max_path_s", params.max_path_s)
       .positive_finite("dwell_s", params.dwell_s)
       .positive_finite("speed_m_per_s", params.speed_m_per_s)
       .nonnegative_finite("overhead_s", params.overhead_s)
@@ -180,7 +180,7 @@ std::optional<DwellPlan> DwellChoice::choose(const SourceBelief& belief,
     gain.add(dwell, distances);
   }
   const DwellLattice::Tree tree = lattice.tree_from(costs, from_m);
-  WaySearch search(params_, gain, lattice, tree, std::move(distances));
+  PathSearch search(params_, gain, lattice, tree, std::move(distances));
   if (current_m) {
     search.set_current(*current_m);
   }

@@ -11,7 +11,7 @@
 
 namespace echomap::source_search {
 
-/// Places of a floor where a robot can stand, spaced evenly, and the straight ways between
+/// Places of a floor where a robot can stand, spaced evenly, and the straight paths between
 /// neighbours that it can drive. Where the middle of a square is closed, its place is an open cell
 /// of the square: no door is too narrow to have one.
 class DwellLattice {
@@ -26,10 +26,10 @@ class DwellLattice {
   const std::vector<Eigen::Vector2d>& places_m() const { return places_m_; }
   const std::vector<Edge>& edges(std::size_t place) const { return edges_[place]; }
 
-  /// Shortest ways from a place on the floor to all others.
+  /// Shortest paths from a place on the floor to all others.
   struct Tree {
-    std::vector<double> distance_m;    ///< Infinite where no way leads.
-    std::vector<std::int32_t> parent;  ///< -1 for the first place of a way.
+    std::vector<double> distance_m;    ///< Infinite where no path leads.
+    std::vector<std::int32_t> parent;  ///< -1 for the first place of a path.
     std::vector<std::uint32_t> order;  ///< Places that are reached, the nearest first.
   };
   Tree tree_from(const exploration::CostGrid& costs, const Eigen::Vector2d& from_m) const;

@@ -8,7 +8,7 @@
 
 namespace echomap::source_search {
 
-/// What a scalar sensor says: pulses that it counts, or a level that it measures.
+/// What a scalar sensor measures: pulses that it counts, or a level.
 enum class SensorKind : std::uint8_t { kPulses, kLevel };
 
 /// One reading of the sensor, where the robot's map has it. Readings of other robots are the same,
@@ -24,41 +24,41 @@ struct FieldReading {
 /// levels in the sensor's unit. Values without another source are ours, chosen in simulation.
 struct FieldParams {
   SensorKind kind = SensorKind::kPulses;
-  /// Between the sensor and a source that lies right under or over it: the height of the one over
-  /// the other.
+  /// Height of the sensor over a source right below it, or of the source over the sensor.
   double standoff_m = 0.1;
-  /// The weakest source that counts, and the strongest; its logarithm is uniform in between.
+  /// The weakest and the strongest source considered; the prior of the logarithm is uniform in
+  /// between.
   double min_strength = 1.0;
   double max_strength = 50.0;
-  /// The same of the background.
+  /// The same for the background.
   double min_background = 0.02;
   double max_background = 10.0;
-  /// What a metre of solid takes away, as a factor exp(-attenuation): each is as likely. Nothing,
-  /// brick for hard gamma rays, and what stops most.
+  /// Attenuations of a metre of solid, as a factor exp(-attenuation), equally likely: none, that of
+  /// brick for hard gamma rays, and one that stops most.
   std::vector<double> attenuations_per_m = {0.0, 6.0, 20.0};
-  /// Of one reading of a level.
+  /// Standard deviation of one reading of a level.
   double level_stddev = 1.0;
-  /// Relative error of the source's share of a rate: of the distance law and the sensor.
+  /// Relative error of the source's share of a rate, from the distance law and the sensor.
   double rate_error = 0.05;
-  /// Relative error of the exponent of what is shielded: of the thickness of walls in the map and
-  /// of the attenuation.
+  /// Relative error of the exponent of the shielding, from the thickness of walls in the map and
+  /// the attenuation.
   double shield_error = 0.3;
-  /// How much the background differs from place to place, relatively.
+  /// Relative variation of the background from place to place.
   double background_error = 0.1;
 };
 
 /// Throws std::invalid_argument for invalid parameters.
 void validate(const FieldParams& params);
 
-/// What a source of strength 1 adds in that distance, behind so much solid: inverse square of the
-/// distance, and Beer and Lambert's law.
+/// Response to a source of strength 1 at that distance, behind that much solid: inverse square of
+/// the distance, and Beer and Lambert's law.
 double response(double distance_m,
                 double solid_m,
                 double attenuation_per_m,
                 const FieldParams& params);
 
-/// Relative variance of that response, where the distance is known to so much: first and second
-/// order of the inverse square, and what is not known of the shielding.
+/// Relative variance of that response for a variance of the position: first and second order of the
+/// inverse square, and the error of the shielding.
 double response_variance(double distance_m,
                          double solid_m,
                          double attenuation_per_m,

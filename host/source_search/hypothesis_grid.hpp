@@ -18,22 +18,22 @@ namespace echomap::source_search {
 /// Values without another source are ours, chosen in simulation.
 struct HypothesisGridParams {
   FieldParams field;
-  /// Edge of the squares at first, and of the smallest that they are split into: whole multiples of
+  /// Edge of the squares at first, and of the smallest that they are split into; whole multiples of
   /// each other.
   double leaf_m = 0.2;
   double min_leaf_m = 0.05;
-  /// Readings nearer to each other than this are one reading.
+  /// Readings nearer to each other than this are merged.
   double merge_m = 0.05;
   std::size_t strength_nodes = 12;
   std::size_t background_nodes = 8;
-  /// Unknown cells so far from a free one, by a way over unknown ones, may hold the source, too: as
-  /// likely as that way is floor.
+  /// Unknown cells within this distance of a free one, by a path over unknown ones, may hold the
+  /// source, too, as likely as that path is floor.
   double unknown_reach_m = 2.0;
-  /// A source lies in a hollow: of the unknown cells between it and a sensor the first ones, up to
-  /// so far, are air.
+  /// A source lies in a hollow: of the unknown cells between it and a sensor, the first ones up to
+  /// this distance are air.
   double hollow_m = 0.5;
-  /// So may occupied cells that are no deeper than this in what is solid: what lies in or behind a
-  /// wall can be neither found nor ruled out.
+  /// Occupied cells no deeper than this in what is solid may hold the source, too: a source in or
+  /// behind a wall can be neither found nor ruled out.
   double solid_depth_m = 0.1;
 };
 
@@ -43,9 +43,9 @@ struct LeafIndex {
   std::size_t lane = 0;
 };
 
-/// The log-likelihood of all readings for every place, strength, background and shielding, and
-/// for no source at all, held exactly at nodes. Places are squares that can be split where they
-/// matter. What a square is too coarse for is in the likelihood as an error of the rate.
+/// The log-likelihood of all readings for every place, strength, background and shielding, and for
+/// no source at all, stored exactly at nodes. Places are squares that can be split where they
+/// matter. The error from the size of a square is in the likelihood as an error of the rate.
 class HypothesisGrid {
  public:
   /// Places are the free cells of the map, what is beside them, and unknown floor in reach.
@@ -53,24 +53,24 @@ class HypothesisGrid {
   HypothesisGrid(const HypothesisGridParams& params, const SourceFloor& floor);
 
   void add(std::span<const FieldReading> readings);
-  /// Cuts these squares into four, where they are not of the smallest.
+  /// Splits these squares into four, unless they are of the smallest.
   void split(std::span<const LeafIndex> leaves);
-  /// Holds the likelihoods at other backgrounds, evenly spaced by logarithm.
+  /// Recomputes the likelihoods at other backgrounds, evenly spaced by logarithm.
   void set_background_range(double min, double max);
 
   const HypothesisGridParams& params() const { return params_; }
   const NuisanceNodes& nodes() const { return nodes_; }
   const std::vector<LeafBlock>& blocks() const { return blocks_; }
-  /// Of no source, by background.
+  /// Log-likelihood of no source, by background.
   const std::vector<double>& none() const { return none_; }
-  /// Readings, near ones as one.
+  /// Readings, with near ones merged.
   const std::vector<FieldReading>& readings() const { return readings_; }
   const mapping::RasterMap& map() const { return map_; }
-  /// Where the source may be, all in all; unknown floor by how likely it is floor.
+  /// Area where the source may be, square metres; unknown floor counts by how likely it is floor.
   double area_m2() const { return area_m2_; }
   bool is_splittable(LeafIndex leaf) const;
 
-  /// What a source of strength 1 in the middle of a square of that edge adds at a place.
+  /// Response at a place to a source of strength 1 in the middle of a square of that edge.
   struct Response {
     double response = 0.0;
     double variance = 0.0;  ///< Relative.

@@ -27,8 +27,8 @@ bool are_similar(const SourceHypothesis& one, const SourceHypothesis& other, dou
 /// A reading so near to others has the same error of its rate.
 constexpr double kSamePlaceM = 0.15;
 
-/// Seconds that tell as much as `dwell_s` without any error of the rate would: counting on tells
-/// less and less where the error of the rate is larger than that of the count.
+/// Seconds of a dwell without any error of the rate that are worth as much as `dwell_s` with it: a
+/// longer dwell adds less and less where the error of the rate is larger than that of the count.
 double useful_s(double dwell_s, double source, double background, double excess) {
   return dwell_s / (1.0 + excess * dwell_s / (source + background));
 }

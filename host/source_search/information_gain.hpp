@@ -17,21 +17,21 @@ struct PlannedDwell {
   double dwell_s = 0.0;
 };
 
-/// How far readings tell hypotheses apart: for each pair the Bhattacharyya distance of what they
-/// would read, which adds up over readings; of Poisson numbers half the squared difference of the
-/// roots of their means.
+/// How well readings discriminate between hypotheses: for each pair the Bhattacharyya distance of
+/// what they would read, which adds up over readings; for Poisson numbers half the squared
+/// difference of the roots of their means.
 using PairDistances = std::vector<float>;
 
-/// What readings at planned places are expected to tell about where the source is: by how much the
-/// logarithm of the probability of what is true is expected to rise, of places within the radius in
-/// which a source counts as found and of no source as one. By samples of the posterior, with the
-/// bound of Kolchinsky and Tracey 2017 in place of the expectation over what is read.
+/// Information about the source's place that readings at planned places are expected to give: the
+/// expected rise of the log-probability of the true hypothesis. Places within the radius in which a
+/// source counts as found are one hypothesis, and no source is one. By samples of the posterior,
+/// with the bound of Kolchinsky and Tracey 2017 in place of the expectation over the readings.
 class InformationGain {
  public:
   InformationGain(const SourceBelief& belief, std::vector<SourceHypothesis> samples);
 
   std::size_t size() const { return samples_.size(); }
-  /// Without any reading: all hypotheses are one.
+  /// Distances without any reading: all hypotheses are one.
   PairDistances no_reading() const { return PairDistances(padded_ * padded_, 0.0F); }
   /// Adds a reading.
   void add(const PlannedDwell& dwell, PairDistances& distances) const;
@@ -39,7 +39,7 @@ class InformationGain {
   double expected_log_probability(const PairDistances& distances) const;
 
  private:
-  /// For how long has been read there.
+  /// Time for which has been read there, seconds.
   double read_s(const Eigen::Vector2d& at_m) const;
 
   std::size_t padded_;  ///< Hypotheses in a row of a matrix; those beyond `size` have no weight.

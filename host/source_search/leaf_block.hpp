@@ -7,11 +7,11 @@
 
 namespace echomap::source_search {
 
-/// So many places are worked on at once.
+/// Number of places that are processed at once.
 inline constexpr std::size_t kLanes = 64;
 using Lanes = std::array<float, kLanes>;
 
-/// How what lies on the way shields a source.
+/// How the solids between a source and the sensor shield it.
 struct Shielding {
   double attenuation_per_m = 0.0;
   bool is_unknown_solid = false;  ///< Unknown cells are solid as well; else they are air.
@@ -42,7 +42,7 @@ struct LeafBlock {
   const float* lanes(std::size_t node) const { return &log_likelihood[node * kLanes]; }
 };
 
-/// What a reading is to the kernel.
+/// A reading in the form that the kernel takes.
 struct ReadingTerms {
   float value = 0.0F;                ///< Pulses, or the mean level.
   float dwell_s = 1.0F;              ///< 1 for a level.
@@ -51,8 +51,8 @@ struct ReadingTerms {
   float background_variance = 0.0F;  ///< Relative.
 };
 
-/// What a source of strength 1 adds at the reading's place, by the lane of its place, and the
-/// relative variance of that.
+/// Response at the reading's place to a source of strength 1, by the lane of the source's place,
+/// and its relative variance.
 struct ResponseLanes {
   alignas(64) Lanes response{};
   alignas(64) Lanes variance{};
@@ -63,21 +63,21 @@ struct ResponseLanes {
 /// the variance over that of a Poisson number; of a level a normal distribution.
 float log_likelihood(const ReadingTerms& reading, float source, float background, float variance);
 
-/// The log-likelihoods of a reading at the nodes of one shielding: `backgrounds` times
+/// Computes the log-likelihoods of a reading at the nodes of one shielding: `backgrounds` times
 /// `strengths` rows of lanes.
 void set_log_likelihoods(const ReadingTerms& reading,
                          const ResponseLanes& responses,
                          const NuisanceNodes& nodes,
                          float* rows);
 
-/// The largest value of each lane, over so many rows.
+/// The largest value of each lane, over `count` rows.
 Lanes row_maxima(const float* rows, std::size_t count);
 
-/// By how much a log-likelihood bends most from one strength to the next, over those of a row of
+/// Largest curvature of a log-likelihood from one strength to the next, over those of a row of
 /// nodes that are no more than `near` below `max`.
 float max_bend(const float* rows, std::size_t strengths, const Lanes& max, float near);
 
-/// Adds so many times `change` to as many values.
+/// Adds `times` times `change` to as many values of `rows`.
 void add_rows(const std::vector<float>& change, float times, float* rows);
 
 }  // namespace echomap::source_search

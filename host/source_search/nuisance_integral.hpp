@@ -9,8 +9,8 @@
 namespace echomap::source_search {
 
 /// The integral of a likelihood over strength and background, whose logarithms are uniform. A
-/// log-likelihood is smooth in the logarithm of the strength, so that a few nodes tell it by cubic
-/// interpolation, where the likelihood itself is a narrow peak between them.
+/// log-likelihood is smooth in the logarithm of the strength, so that cubic interpolation between a
+/// few nodes represents it, where the likelihood itself is a narrow peak between them.
 class NuisanceIntegral {
  public:
   /// One row to be summed: four nodes of the strength with their weights, and the prior's mass.
@@ -21,8 +21,8 @@ class NuisanceIntegral {
     float strength = 0.0F;
   };
 
-  /// Four strengths at least, each step between them cut into so many. `background_masses` is the
-  /// prior's mass at each background.
+  /// Takes at least four strengths, and cuts each step between them into `cuts`.
+  /// `background_masses` is the prior's mass at each background.
   NuisanceIntegral(const NuisanceNodes& nodes,
                    std::size_t cuts,
                    std::vector<float> background_masses);
@@ -30,12 +30,12 @@ class NuisanceIntegral {
   const std::vector<Step>& steps() const { return steps_; }
   const std::vector<float>& background_masses() const { return background_masses_; }
 
-  /// Of each group of strengths: for an attenuation and a background.
+  /// Integral over the strengths for one attenuation and background.
   struct Group {
     alignas(64) Lanes max{};  ///< Of the log-likelihood.
     alignas(64) Lanes sum{};  ///< Of the likelihood over that of the maximum, with prior masses.
   };
-  /// Of the rows of one attenuation and background.
+  /// Integrates the rows of one attenuation and background.
   Group group(const float* log_likelihood) const;
 
  private:

@@ -15,7 +15,7 @@ struct PairSums {
   float all = 0.0F;
 };
 
-/// Of exp(-distance), weighted; `count` is a multiple of 16.
+/// Weighted sums of exp(-distance); `count` is a multiple of 16.
 PairSums sum_pairs(const float* distances,
                    const float* similar_weights,
                    const float* weights,

@@ -16,11 +16,11 @@ using mapping::CellField;
 
 namespace {
 
-/// Distances are told apart to so much.
+/// Resolution of distances.
 constexpr double kBinM = 0.01;
 /// Discs are tried around cells that hold at least so much of what the most probable one does.
 constexpr float kMinCellShare = 0.2F;
-/// A normal error in the plane is stood for by so many.
+/// Number of points that represent a normal error in the plane.
 constexpr int kErrorRings = 10;
 constexpr int kErrorBearings = 12;
 /// Cells that hold less do not count for it.

@@ -13,8 +13,8 @@ struct ProbableDisc {
   double probability = 0.0;
 };
 
-/// The disc of that radius, around the middle of a cell, with the largest sum of probabilities: of
-/// the cells that are themselves among the more probable ones. Cells count by their middles.
+/// The disc of that radius around the middle of a cell that has the largest sum of probabilities,
+/// among the cells that are themselves more probable. Cells count by their middles.
 ProbableDisc most_probable_disc(const mapping::CellField& probability, double radius_m);
 
 /// The sum in the disc of that radius around the middle of the cell that `middle_m` is in.
@@ -22,8 +22,8 @@ double sum_in_disc(const mapping::CellField& field,
                    const Eigen::Vector2d& middle_m,
                    double radius_m);
 
-/// A probability field of places that all have the same normal error, along each axis. What falls
-/// out of the field is lost.
+/// Spreads a probability field by a normal error along each axis. What falls out of the field is
+/// lost.
 mapping::CellField with_error(const mapping::CellField& probability, double stddev_m);
 
 /// The radius of the smallest disc around a point that holds that share of a field's sum; 0 where

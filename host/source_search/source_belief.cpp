@@ -28,7 +28,7 @@ constexpr double kMaxEndProbability = 0.02;
 /// The spread of a posterior that falls between two nodes is no less than so much of their
 /// distance.
 constexpr double kMinSpreadNodes = 0.4;
-/// They are chosen anew when there are so many times as many readings as the last time.
+/// Backgrounds are chosen again when there are this many times the readings of the last time.
 constexpr double kMoreReadings = 1.5;
 constexpr double kMinReadings = 6.0;
 constexpr int kMaxPasses = 6;
@@ -113,7 +113,7 @@ void SourceBelief::rebuild(const SourceFloor& floor, std::span<const FieldReadin
   update();
 }
 
-/// Until squares and backgrounds are as fine as the posterior asks for.
+/// Refines squares and backgrounds until they are as fine as the posterior needs.
 void SourceBelief::update() {
   set_marginals();
   for (int pass = 0; pass < kMaxPasses; ++pass) {
@@ -204,7 +204,7 @@ bool SourceBelief::refine_places() {
 }
 
 /// Backgrounds are evenly spaced over where the posterior is. A narrower posterior takes more
-/// readings, a wider one is rare: it is seldom that all likelihoods have to be made anew.
+/// readings, a wider one is rare: it is seldom that all likelihoods have to be recomputed.
 bool SourceBelief::refine_backgrounds() {
   const FieldParams& field = grid_.params().field;
   const double first = std::log(static_cast<double>(grid_.nodes().backgrounds.front()));
@@ -236,8 +236,8 @@ bool SourceBelief::confirms(const Eigen::Vector2d& at_m) const {
              grid_.map(), at_m, place_m, grid_.params().solid_depth_m, params_.found_radius_m);
 }
 
-/// Far off, a place is told by the shadows of what the map has, and they are as wrong as it is, for
-/// many readings alike. Beside the source only the distance counts.
+/// From afar, a place is determined by the shadows of the map's walls, which are as wrong as the
+/// map is, for many readings alike. Beside the source only the distance counts.
 bool SourceBelief::is_confirmed() const {
   double expected = 0.0;
   for (const FieldReading& reading : grid_.readings()) {
@@ -250,7 +250,7 @@ bool SourceBelief::is_confirmed() const {
 }
 
 /// A claim is of the place against the map around it. How probably that is within the radius of
-/// where the source truly is, is told with the error of the map, and may be too little to claim.
+/// where the source truly is depends on the error of the map, and may be too little to claim.
 void SourceBelief::set_estimate() {
   const CellField probability = place_probability();
   const ProbableDisc disc = most_probable_disc(probability, params_.found_radius_m);

@@ -16,50 +16,51 @@ namespace echomap::source_search {
 /// Values without another source are ours, chosen in simulation.
 struct SourceBeliefParams {
   HypothesisGridParams grid;
-  /// Prior probability that there is no source as strong as the weakest that counts.
+  /// Prior probability that there is no source as strong as the weakest considered.
   double none_prior = 0.5;
-  /// A source is found within this distance, with this probability; with the same there is none.
+  /// A source is found within this distance with this probability; that there is none is claimed
+  /// with the same.
   double found_radius_m = 0.2;
   double claim_probability = 0.95;
-  /// That is against the map around it. Nothing is found where the map itself is so uncertain that
-  /// the source is less probably than this within the radius of where it truly is.
+  /// Smallest probability of the source within that radius of where it truly is, the error of the
+  /// map included: on a map that is less certain nothing is claimed.
   double min_true_probability = 0.5;
-  /// In a map in the making a place is claimed only once so many pulses of its source are expected
-  /// to have been read within `confirm_m`, in sight of it: there, without the source, that many
-  /// would be missed in all but 5 % of cases.
+  /// On an unfinished map, a place is claimed only once this many pulses of its source are expected
+  /// to have been read within `confirm_m`, in sight of it. Without a source there, their absence is
+  /// noticed in 95 % of cases.
   double confirm_m = 0.5;
   double confirm_pulses = 3.0;
   /// A square that holds more of the probability than this is split.
   double split_probability = 0.004;
 };
 
-/// One way that things may be.
+/// One hypothesis of where the source is, if there is any.
 struct SourceHypothesis {
-  double probability = 0.0;             ///< Of all that it stands for.
+  double probability = 0.0;             ///< Probability of all that it represents.
   std::optional<Eigen::Vector2d> at_m;  ///< Empty for no source.
-  double edge_m = 0.0;                  ///< Of the square that it stands for.
+  double edge_m = 0.0;                  ///< Edge of the square that it represents.
   double strength = 0.0;
   double background = 0.0;
   Shielding shielding;
 };
 
-/// Where one source may be, how strong it is and whether there is any, given all readings: Bayes'
-/// rule on a grid, exact up to the nodes, with the background, the strength and the shielding of
-/// walls marginalized.
+/// Posterior of the place and strength of one source, and of whether there is any, given all
+/// readings: Bayes' rule on a grid, exact up to the nodes, with the background, the strength and
+/// the shielding of walls marginalized.
 class SourceBelief {
  public:
   /// Throws std::invalid_argument for invalid parameters.
   SourceBelief(const SourceBeliefParams& params, const SourceFloor& floor);
 
-  /// Takes more readings, of this robot or of others.
+  /// Adds readings, of this robot or of others.
   void add(std::span<const FieldReading> readings);
   /// Starts again on another floor, with these readings in place of those so far.
   void rebuild(const SourceFloor& floor, std::span<const FieldReading> readings);
 
   const SourceEstimate& estimate() const { return estimate_; }
-  /// Hypotheses that stand for all: that there is none or that it is on unseen floor, which no
-  /// reading tells apart, and `count` places, spread evenly over the probability; `offset` from 0
-  /// to 1 chooses which.
+  /// Samples that represent the posterior: that there is none or that it is on unseen floor, which
+  /// no reading can distinguish, and `count` places, spread evenly over the probability; `offset`
+  /// from 0 to 1 chooses which.
   std::vector<SourceHypothesis> sample(std::size_t count, double offset) const;
   /// The probability of each cell to hold the source, in cells of the smallest square.
   mapping::CellField place_probability() const;
@@ -87,7 +88,7 @@ class SourceBelief {
   double unseen_m2_;
   bool is_in_the_making_;
   double position_stddev_m_;
-  /// By block and lane: that the source is there.
+  /// Probability that the source is there, by block and lane.
   std::vector<std::array<double, kLanes>> place_;
   std::vector<double> background_;  ///< By node of the grid.
   double readings_at_background_choice_ = 6.0;

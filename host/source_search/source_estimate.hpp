@@ -7,14 +7,14 @@
 
 namespace echomap::source_search {
 
-/// What the readings say about a source.
+/// Conclusion about a source from the readings.
 enum class SourceVerdict : std::uint8_t {
   kUndecided,
-  kFound,  ///< It is within the radius of the best place, with the probability that was asked for.
-  kNone,   ///< There is none as strong as the weakest that counts, with that probability.
+  kFound,  ///< It is within the radius of the best place, with the required probability.
+  kNone,   ///< There is none as strong as the weakest considered, with that probability.
 };
 
-/// A value and how well it is known; of logarithms, so that the error is a factor.
+/// A value and the standard deviation of its logarithm, so that the error is a factor.
 struct LogEstimate {
   double median = 0.0;
   double log_stddev = 0.0;
@@ -23,15 +23,15 @@ struct LogEstimate {
 /// What is known about the source.
 struct SourceEstimate {
   SourceVerdict verdict = SourceVerdict::kUndecided;
-  /// That there is no source as strong as the weakest that counts.
+  /// Probability that there is no source as strong as the weakest considered.
   double none_probability = 1.0;
-  /// That the source is on floor that the map has not, too far from it to be read.
+  /// Probability that the source is on floor outside of the map, too far from it to be read.
   double unseen_probability = 0.0;
   /// The middle of the disc that most probably holds the source, in the map frame.
   Eigen::Vector2d best_m = Eigen::Vector2d::Zero();
-  /// That the source is there and in that disc.
+  /// Probability that there is a source and that it is in that disc.
   double within_probability = 0.0;
-  /// That is as probable as a claim has to be, but was not confirmed from beside.
+  /// That is probable enough for a claim, but was not confirmed from beside.
   bool is_to_confirm = false;
   /// The disc around `best_m` that holds the source with 95 %, if there is one.
   double radius_95_m = 0.0;

@@ -9,13 +9,13 @@
 
 namespace echomap::source_search {
 
-/// SourceSearch of a robot that reads for itself: before each decision it has all readings so far,
-/// where the map has them now.
+/// Runs a SourceSearch on the readings of one robot: before each decision it sets all readings so
+/// far, where the map has them now.
 class SourceExplorer final : public exploration::Explorer {
  public:
-  /// `readings` outlives this; `search` is shared with whoever asks what it has found. Ends at its
-  /// stop limit `max_s` seconds after the first reading. Throws std::invalid_argument where that is
-  /// not above 0.
+  /// `readings` must outlive this; `search` is shared with the caller, who reads its result. Ends
+  /// at its stop limit `max_s` seconds after the first reading. Throws std::invalid_argument where
+  /// that is not above 0.
   SourceExplorer(std::shared_ptr<SourceSearch> search,
                  const SourceReadings& readings,
                  double max_s = std::numeric_limits<double>::infinity());

@@ -13,9 +13,9 @@ namespace echomap::source_search {
 /// over the area of a cell. Throws std::invalid_argument unless the resolution is above 0.
 mapping::CellField source_density(const SourceBelief& belief, double resolution_m);
 
-/// What the sensor is expected to read in the middle of each cell: pulses a second, or the level.
-/// By hypotheses that stand for the posterior; in the unit of the sensor. Throws
-/// std::invalid_argument unless the resolution is above 0.
+/// Expected reading of the sensor in the middle of each cell: pulses a second, or the level in its
+/// unit. By samples of the posterior. Throws std::invalid_argument unless the resolution is above
+/// 0.
 mapping::CellField expected_rate(const SourceBelief& belief, double resolution_m);
 
 /// source.json: verdict, probability of none, the best place with its region, strength and

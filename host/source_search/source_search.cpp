@@ -97,8 +97,8 @@ bool SourceSearch::has_become_sure() {
   return verdict == SourceVerdict::kFound || (verdict == SourceVerdict::kNone && !is_look_);
 }
 
-/// No reading tells more: there is none as far as the map goes, or the source is where no way
-/// leads.
+/// Whether no reading adds anything: there is none as far as the map goes, or the source is where
+/// no path leads.
 bool SourceSearch::has_to_see_more(const pipeline::Snapshot& snapshot) const {
   const SourceEstimate& estimate = belief_->estimate();
   if (estimate.is_to_confirm) {
@@ -108,7 +108,8 @@ bool SourceSearch::has_to_see_more(const pipeline::Snapshot& snapshot) const {
          params_.belief.claim_probability;
 }
 
-/// The nearest place by its way that tells whether the source is where it most probably is.
+/// The nearest place, by its path, from which a reading confirms or refutes the most probable place
+/// of the source.
 std::optional<Viewpoint> SourceSearch::choose_confirmation(
     const pipeline::Snapshot& snapshot) const {
   const exploration::CostGrid& costs = navigator_.costs();
@@ -248,7 +249,7 @@ void SourceSearch::update(const pipeline::Snapshot& snapshot) {
     return;
   }
   take_readings();
-  // Where it stands there is floor, whatever the map says: else no way would lead away.
+  // The robot stands on floor, whatever the map has there: otherwise no path would lead away.
   const Eigen::Vector2d here_m = snapshot.latest.T_map_robot.position_m();
   if (!navigator_.costs().is_open(navigator_.costs().cell_at(here_m))) {
     set_ways(snapshot);

@@ -19,51 +19,52 @@ namespace echomap::source_search {
 
 /// Values without another source are ours, chosen in simulation.
 struct SourceSearchParams {
-  /// How floor that the map has not is looked for, and ways are driven.
+  /// How unknown floor is explored, and paths are driven.
   exploration::FrontierParams frontier;
   SourceBeliefParams belief;
   DwellChoiceParams choice;
-  /// Whether floor that the map has not is looked for, too; else the map is taken as whole.
+  /// Whether unknown floor is explored, too; otherwise the map counts as complete.
   bool explores = true;
-  /// Floor is expected to go on for so far behind the unknown cells that may hold the source, where
-  /// nothing says that it ends: about half a room.
+  /// How far floor is expected to continue behind the unknown cells that may hold the source, where
+  /// nothing shows that it ends: about half a room.
   double beyond_m = 2.0;
-  /// What a square metre of unknown floor that a look shows is worth, in nats: about the share of a
+  /// Value of a square metre of unknown floor that a look shows, in nats: about the share of a
   /// source's prior that lies on it.
   double nats_per_unknown_m2 = 0.03;
-  /// The robot thinks again after so long, on the way, too.
+  /// Period at which the robot decides again, also while it drives.
   double rethink_s = 3.0;
   /// End after this many goals.
   std::size_t max_goals = 2000;
 };
 
-/// Strategy `source`: searches a source by what a scalar sensor reads, in a map that may still be
-/// made, until it is found or there is certainly none: where that map has none, it explores the
-/// rest as strategy `frontier` does before it says so. It drives where it expects most information
+/// Strategy `source`: searches a source by what a scalar sensor reads, on a map that may be
+/// unfinished, until it is found or there is certainly none. Where the map so far has none, it
+/// first explores the rest as strategy `frontier` does. It drives where it expects most information
 /// about the source for the time (after Ristic et al. 2010), counts on the way and waits to count
-/// more, and where unknown floor promises more it looks there first. Readings of others are as good
-/// as its own, and what others are about to read is not sought twice.
+/// more, and where unknown floor promises more it looks there first. Readings of others count as
+/// its own, and it does not plan readings that others are about to take.
 class SourceSearch final : public exploration::Explorer {
  public:
   /// Throws std::invalid_argument for invalid parameters.
   explicit SourceSearch(const SourceSearchParams& params);
 
-  /// All readings so far, of all robots, where this robot's map has them now. To be set before
-  /// `next` whenever there are more, or the map has moved them.
+  /// Sets all readings so far, of all robots, where this robot's map has them now. To be called
+  /// before `next` whenever there are more, or the map has moved them.
   void set_readings(std::vector<FieldReading> readings);
-  /// What others are about to read, in this robot's map: their `plan()`.
+  /// Sets what others are about to read, in this robot's map: their `plan()`.
   void set_plans_of_others(std::vector<PlannedDwell> plans) { others_ = std::move(plans); }
-  /// Others from now on: ways lead round where they stand, and what they have promised to look at
-  /// is left to them while this robot explores the rest. What they have seen is in the snapshots.
+  /// Sets the other robots: paths lead round where they stand, and what they have claimed to look
+  /// at is left to them while this robot explores the rest. What they have seen is in the
+  /// snapshots.
   void set_company(const exploration::Company& company);
-  /// Decides anew with the next motion: something is in its way.
+  /// Decides again with the next motion, as something is in the robot's way.
   void reconsider();
   bool is_driving() const {
     return explores_rest_ ? rest_.goal().has_value() : phase_ == Phase::kDriving;
   }
-  /// Whether it has ended with an answer.
+  /// Whether it has ended with a verdict.
   bool has_ended() const { return has_ended_; }
-  /// What this robot is about to read; empty while it does not know.
+  /// What this robot is about to read; empty while there is no plan.
   const std::vector<PlannedDwell>& plan() const { return plan_readings_; }
 
   exploration::Motion next(const pipeline::Snapshot& snapshot,

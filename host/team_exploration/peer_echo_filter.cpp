@@ -56,7 +56,7 @@ void PeerEchoFilter::on(const sensors::Observation& observation) {
   }
 }
 
-/// Nothing is known of what lies behind the peer: as if nobody had listened.
+/// What lies behind the peer is unknown: the reading becomes one without information.
 sensors::SonarObservation PeerEchoFilter::filtered(sensors::SonarObservation observation) {
   if (!observation.range_m) {
     return observation;

@@ -14,27 +14,28 @@ namespace echomap::team_exploration {
 /// Values are ours, chosen in simulation.
 struct PeerEchoParams {
   double beam_half_angle_rad = 0.2269;  ///< Of the sonar (robot profile).
-  /// A sonar's echo is of a hull where it lies so near to it, and so many standard deviations of
-  /// where the peer is.
+  /// An echo is attributed to a hull within this distance, plus this many standard deviations of
+  /// the peer's position.
   double near_m = 0.08;
   double stddevs = 2.0;
-  /// A contact is a peer's where its hull is so near to this robot's, and so many standard
-  /// deviations.
+  /// A contact is attributed to a peer whose hull is this near to the robot's, plus as many
+  /// standard deviations.
   double touch_m = 0.06;
   double robot_radius_m = 0.09;
 };
 
-/// Whether an echo at `range_m` may come from the hull of a peer: in the beam, and as far off.
+/// Whether an echo at `range_m` may come from the hull of a peer: within the beam and at that
+/// distance.
 bool is_of_peer(const geometry::Pose2& T_map_sonar,
                 double range_m,
                 const Peer& peer,
                 const PeerEchoParams& params);
 
-/// Keeps other robots out of a map: hands on what a robot senses, but for echoes of other robots'
-/// hulls, which become readings that say nothing, and contacts with them, which become none.
+/// Keeps other robots out of a map: forwards a robot's observations, but turns echoes of other
+/// robots' hulls into readings without information, and removes contacts with them.
 class PeerEchoFilter final : public pipeline::AnyObservationSink {
  public:
-  /// Where the robot is by its map, and where the others were at a time.
+  /// Return the robot's pose on its map, and where the others were at a time.
   using OwnPose = std::function<geometry::Pose2()>;
   using PeersAt = std::function<std::vector<Peer>(time::RobotTime)>;
 
@@ -47,7 +48,7 @@ class PeerEchoFilter final : public pipeline::AnyObservationSink {
 
   void on(const sensors::Observation& observation) override;
 
-  /// Echoes and contacts that were of other robots.
+  /// Numbers of echoes and contacts that were attributed to other robots.
   std::size_t echoes_of_peers() const { return echoes_; }
   std::size_t contacts_with_peers() const { return contacts_; }
 

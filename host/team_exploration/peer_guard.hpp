@@ -17,11 +17,11 @@ struct PeerGuardParams {
   double robot_radius_m = 0.09;
   /// Floor to be left between two hulls.
   double margin_m = 0.06;
-  /// So many standard deviations of where the peer is are kept off as well.
+  /// Additional distance, in standard deviations of the peer's position.
   double stddevs = 1.0;
-  /// What a robot still rolls when it has been told to stop: 0.25 m/s, braked by 0.6 m/s^2.
+  /// Braking distance: 0.25 m/s, braked by 0.6 m/s^2.
   double braking_m = 0.06;
-  /// A peer that drives is expected on its way for so long after it told its pose.
+  /// Time after its last published pose for which a peer that drives is expected to continue.
   double ahead_s = 0.8;
 };
 
@@ -31,10 +31,10 @@ class PeerGuard {
   /// Throws std::invalid_argument for invalid parameters.
   explicit PeerGuard(const PeerGuardParams& params);
 
-  /// How far this robot's middle keeps from the peer's, metres.
+  /// Distance to keep between this robot's middle and the peer's, metres.
   double keep_off_m(const Peer& peer) const;
   /// The nearest peer that the motion would come too near to; null for none. A motion that leads
-  /// away from a peer may always be made.
+  /// away from a peer is always allowed.
   const Peer* in_the_way(const exploration::Motion& motion,
                          const geometry::Pose2& T_map_robot,
                          const std::vector<Peer>& peers) const;

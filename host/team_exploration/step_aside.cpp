@@ -17,9 +17,9 @@ using geometry::CellIndex;
 using mapping::CellState;
 using mapping::RasterMap;
 
-bool is_clear(const ClearWay& way, const Eigen::Vector2d& place_m) {
-  for (std::size_t i = 1; i < way.points_m.size(); ++i) {
-    if (geometry::distance_m({way.points_m[i - 1], way.points_m[i]}, place_m) < way.keep_off_m) {
+bool is_clear(const ClearPath& path, const Eigen::Vector2d& place_m) {
+  for (std::size_t i = 1; i < path.points_m.size(); ++i) {
+    if (geometry::distance_m({path.points_m[i - 1], path.points_m[i]}, place_m) < path.keep_off_m) {
       return false;
     }
   }
@@ -39,10 +39,10 @@ RasterMap with_peers(RasterMap map, const Eigen::Vector2d& here_m, const std::ve
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> expected_way(const RasterMap& map,
-                                          const Peer& peer,
-                                          const Claim* claim,
-                                          const StepAsideParams& params) {
+std::vector<Eigen::Vector2d> expected_path(const RasterMap& map,
+                                           const Peer& peer,
+                                           const Claim* claim,
+                                           const StepAsideParams& params) {
   const Eigen::Vector2d from_m = peer.T_map_robot.position_m();
   if (claim != nullptr) {
     const CostGrid costs(map, from_m, params.costs);
@@ -59,7 +59,7 @@ std::vector<Eigen::Vector2d> expected_way(const RasterMap& map,
 std::optional<PassingPlace> passing_place(const RasterMap& map,
                                           const Eigen::Vector2d& here_m,
                                           const std::vector<Peer>& peers,
-                                          const ClearWay& way,
+                                          const ClearPath& path,
                                           const StepAsideParams& params) {
   const CostGrid costs(with_peers(map, here_m, peers), here_m, params.costs);
   exploration::TravelField travel;
@@ -69,7 +69,7 @@ std::optional<PassingPlace> passing_place(const RasterMap& map,
     for (std::int32_t x = 0; x < costs.columns(); ++x) {
       const auto cost_m = travel.cost_m({x, y});
       const bool is_nearer = cost_m && *cost_m <= (nearest ? nearest->cost_m : params.max_cost_m);
-      if (is_nearer && is_clear(way, costs.center_m({x, y}))) {
+      if (is_nearer && is_clear(path, costs.center_m({x, y}))) {
         nearest = PassingPlace{costs.center_m({x, y}), *cost_m};
       }
     }

@@ -15,19 +15,19 @@
 
 namespace echomap::team_exploration {
 
-/// Another robot, where this robot's map has it.
+/// Another robot, at its place on this robot's map.
 struct Peer {
   std::string robot;
   geometry::Pose2 T_map_robot;
   double position_stddev_m = 0.0;
   double radius_m = 0.0;
-  double age_s = 0.0;          ///< Since it told its pose.
-  double speed_m_per_s = 0.0;  ///< Forward, when it told its pose.
-  bool stays = false;          ///< It has said good-bye: nobody drives it any more.
+  double age_s = 0.0;          ///< Since it published its pose.
+  double speed_m_per_s = 0.0;  ///< Forward, when it published its pose.
+  bool stays = false;          ///< It has left the fleet and does not move any more.
 };
 
-/// A place that a robot bids to look from. The claim with more utility holds; of two alike, that
-/// of the robot whose name comes first.
+/// A viewpoint that a robot claims. Of two claims the one with more utility wins; of equal ones,
+/// that of the robot whose name comes first.
 struct Claim {
   std::string robot;
   Eigen::Vector2d at_m = Eigen::Vector2d::Zero();  ///< In this robot's map.
@@ -39,7 +39,8 @@ struct Claim {
 /// What the team knows, in one robot's own map frame. Robots whose relative pose is not known are
 /// not in it.
 struct TeamView {
-  /// What all of them have seen; null where nobody else is known: then the robot's own map holds.
+  /// What all of them have seen; null where no other robot is known: then the robot's own map
+  /// holds.
   std::shared_ptr<const mapping::OccupancyGrid> grid;
   std::shared_ptr<const std::vector<mapping::Scan>> scans;     ///< What `grid` is made of.
   std::shared_ptr<const mapping::SonarFeatures> features;      ///< What `grid` is drawn from.
@@ -48,7 +49,7 @@ struct TeamView {
   std::vector<Claim> claims;  ///< Of others.
 };
 
-/// What of it matters to a robot that decides where to go.
+/// The part of a view that matters to a robot's choice of its goal.
 exploration::Company company_of(const TeamView& view);
 
 }  // namespace echomap::team_exploration

@@ -2,7 +2,6 @@
 #include "host/team_exploration/unplaced_peers.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -10,6 +9,7 @@
 #include "host/geometry/angle.hpp"
 #include "host/geometry/parameter_validator.hpp"
 #include "host/mapping/echo_arc.hpp"
+#include "host/time/robot_seconds.hpp"
 
 namespace echomap::team_exploration {
 
@@ -42,10 +42,10 @@ void UnplacedPeerFilter::on(const sensors::Observation& observation) {
     return;
   }
   ++echoes_;
-  sensors::SonarObservation unheard = *sonar;
-  unheard.range_m.reset();
-  unheard.has_answered = false;
-  sink_.on_sonar(unheard);
+  sensors::SonarObservation silenced = *sonar;
+  silenced.range_m.reset();
+  silenced.has_answered = false;
+  sink_.on_sonar(silenced);
 }
 
 bool UnplacedPeerFilter::is_of_peer(const sensors::SonarObservation& observation) {
@@ -67,7 +67,7 @@ bool UnplacedPeerFilter::is_of_peer(const sensors::SonarObservation& observation
   if (is_new && things_.size() >= known.unplaced) {
     return false;
   }
-  const double now_s = std::chrono::duration<double>(observation.stamp.time_since_epoch()).count();
+  const double now_s = time::robot_seconds(observation.stamp);
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): it has a range
   if (has_stayed(*mapping::echo_point_m(reading), now_s)) {
     return false;

@@ -16,31 +16,32 @@
 
 namespace echomap::team_exploration {
 
-/// When an echo is taken for one of a robot of which nobody knows where it is. Values are ours.
+/// When an echo is attributed to a robot whose place is unknown. Values are ours.
 struct UnplacedPeerParams {
-  /// Where the map has firm floor.
+  /// When floor of the map is firm.
   mapping::ScanCheckParams floor;
-  /// One robot's echoes at a stop follow each other: from one to the next at most so far,
+  /// Largest differences of range and bearing from one echo of a robot at a stop to the next,
   double next_m = 0.25;
   double next_rad = 0.45;
-  /// and all of them over so much of the circle.
+  /// and largest spread of the bearings of all of them.
   double max_spread_rad = 1.4;
-  /// A robot moves on: what is heard at one place for longer is a thing.
+  /// An echo from one place, within same_m, for longer than stays_s is from an object: a robot
+  /// moves on.
   double same_m = 0.2;
   double stays_s = 60.0;
 };
 
-/// Keeps robots whose maps are not joined yet out of a map, and out of what says that the map is
-/// wrong: an echo from amid floor that two stops have seen, of one compact thing for each such
-/// robot and stop, becomes a reading that says nothing. A robot that was carried off hears such
-/// echoes from all around and goes on hearing them.
+/// Keeps robots whose maps are not joined yet out of a map, and out of the evidence that the map is
+/// wrong: an echo from amid floor that two stops have seen becomes a reading without information,
+/// for one compact object per such robot and stop. A robot that was carried off receives such
+/// echoes from all around, and continues to.
 class UnplacedPeerFilter final : public pipeline::AnyObservationSink {
  public:
-  /// What is known when a reading comes in.
+  /// What is known when a reading arrives.
   struct Surroundings {
     geometry::Pose2 T_map_robot;
     std::shared_ptr<const mapping::OccupancyGrid> grid;
-    std::size_t unplaced = 0;  ///< So many robots are about, somewhere.
+    std::size_t unplaced = 0;  ///< Number of robots at unknown places.
   };
   using Known = std::function<Surroundings()>;
 
@@ -52,19 +53,19 @@ class UnplacedPeerFilter final : public pipeline::AnyObservationSink {
 
   void on(const sensors::Observation& observation) override;
 
-  /// Echoes that were taken for those of other robots.
+  /// Number of echoes that were attributed to other robots.
   std::size_t echoes_of_peers() const { return echoes_; }
 
-  /// Another map begins: places of the one before are none of it.
+  /// Forgets all places of echoes, because another map begins.
   void forget_places() { places_.clear(); }
 
  private:
-  /// Echoes of one compact thing at this stop.
+  /// Echoes of one compact object at this stop.
   struct Thing {
     mapping::PlacedReading last;
     double first_bearing_rad = 0.0;
   };
-  /// Where such echoes came from.
+  /// A place where such echoes came from.
   struct Place {
     Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
     double first_s = 0.0;

@@ -25,8 +25,8 @@ void CalibratedSubmaps::begin(const Submap& first) {
   const auto share = slam::turn_share(first.readings, {});
   calibration_ =
       share ? std::optional(slam::OdometryCalibration{{*share, 0.0, 0.0}}) : std::nullopt;
-  told_ = first.readings.front().mark;
-  T_odom_robot_ = told_.T_odom_robot;
+  reported_mark_ = first.readings.front().mark;
+  T_odom_robot_ = reported_mark_.T_odom_robot;
 }
 
 void CalibratedSubmaps::add(Submap submap) {
@@ -35,8 +35,8 @@ void CalibratedSubmaps::add(Submap submap) {
     for (slam::StopReading& reading : submap.readings) {
       const slam::OdometryMark now = reading.mark;
       T_odom_robot_ =
-          T_odom_robot_ * slam::calibrated(slam::piece_between(told_, now), *calibration_);
-      told_ = now;
+          T_odom_robot_ * slam::calibrated(slam::piece_between(reported_mark_, now), *calibration_);
+      reported_mark_ = now;
       reading.mark.T_odom_robot = T_odom_robot_;
       reading.mark.turn_rad *= 1.0 + calibration_->turn_share();
       if (&reading == &submap.readings.front()) {

@@ -11,13 +11,13 @@
 
 namespace echomap::team_map {
 
-/// Submaps of one robot with all turns of the odometry as its first stop calibrates them
-/// (slam::turn_share): else stops of several headings are bent. A submap never changes, so each is
-/// calibrated once, and the share of a turn is estimated once.
+/// Submaps of one robot with the turns of their odometry calibrated by its first stop
+/// (slam::turn_share): without that, stops of several headings are distorted. A submap never
+/// changes, so each is calibrated once, and the share of a turn is estimated once.
 class CalibratedSubmaps {
  public:
-  /// Takes all that the robot has told so far; what was taken before is not calibrated again.
-  /// Starts again with fewer submaps than before.
+  /// Takes all submaps that the robot has published so far, and calibrates the new ones. Starts
+  /// again where there are fewer than before.
   void take(const std::vector<Submap>& submaps);
 
   const std::vector<Submap>& submaps() const { return submaps_; }
@@ -29,8 +29,8 @@ class CalibratedSubmaps {
   std::vector<Submap> submaps_;
   /// Empty where the first stop does not calibrate turns.
   std::optional<slam::OdometryCalibration> calibration_;
-  /// Of the last reading: what the robot told, and where it was by calibrated odometry.
-  slam::OdometryMark told_;
+  /// Pose of the last reading by the robot's odometry, and by the calibrated one.
+  slam::OdometryMark reported_mark_;
   geometry::Pose2 T_odom_robot_;
 };
 

@@ -112,12 +112,12 @@ std::size_t weakest_between(const std::string& one,
     robots.push_back(link.other);
   }
   MapGroups groups(robots);
-  MapLink asked;
-  asked.one = one;
-  asked.other = other;
+  MapLink ends;
+  ends.one = one;
+  ends.other = other;
   for (const std::size_t i : by_weight(links)) {
     groups.unite(links[i]);
-    if (groups.are_one(asked)) {
+    if (groups.are_one(ends)) {
       return i;
     }
   }

@@ -36,14 +36,15 @@ constexpr double kBearingStddevRad = 0.2;
 /// Where nothing is known, six readings of ten have an echo, from anywhere within so far.
 constexpr double kEchoShare = 0.6;
 constexpr double kEchoesWithinM = 2.5;
-/// A silence tells of the floor up to here; of the way of a reading so much must be known.
-constexpr double kHeardSilenceM = 2.0;
+/// A reading without an echo shows the floor up to here; this share of its path must be known.
+constexpr double kSilenceRangeM = 2.0;
 constexpr double kKnownShare = 0.9;
 constexpr double kBeforeEchoM = 0.1;
 constexpr double kStepM = 0.05;
 /// An echo from so deep in the floor is from something that is not on the map.
 constexpr double kFloorDepthM = 0.15;
-/// A map knows of no surface before a sonar that it expects to be silent with this chance or more.
+/// A map knows of no surface before a sonar that it expects to have no echo with this chance or
+/// more.
 constexpr double kNoSurface = 0.7;
 /// Readings of a sweep, about: those of a stop count as so many at most.
 constexpr double kSweepReadings = 80.0;
@@ -155,9 +156,9 @@ Pose2 one_step(const RobotMap& first, const RobotMap& second, const Pose2& T, do
   return {T.x_m() + step.x(), T.y_m() + step.y(), T.heading_rad() + step.z()};
 }
 
-/// Whether the floor before what was heard, or not, is known.
+/// Whether the floor before the echo, or before where a reading has none, is known.
 bool is_on_known_floor(const mapping::PlacedReading& reading, const mapping::RasterMap& map) {
-  const double reach_m = reading.range_m.value_or(kHeardSilenceM) - kBeforeEchoM;
+  const double reach_m = reading.range_m.value_or(kSilenceRangeM) - kBeforeEchoM;
   int known = 0;
   int all = 0;
   const auto steps = static_cast<int>(reach_m / kStepM);
@@ -180,12 +181,12 @@ mapping::Scan silenced(mapping::Scan scan) {
   return scan;
 }
 
-/// Whether a map can tell if the reading is right. It cannot of an echo from beyond its floor where
-/// it knows of no surface: it may have missed it, since walls answer only where they are met
+/// Whether a map can confirm or contradict a reading. It cannot for an echo from beyond its floor
+/// where it knows of no surface: it may have missed one, since walls answer only where they are met
 /// squarely, and become features only once two stops have seen them.
-bool is_told(const mapping::PlacedReading& reading,
-             double silent_log_likelihood,
-             const mapping::PlaceableMap& of) {
+bool is_testable(const mapping::PlacedReading& reading,
+                 double silent_log_likelihood,
+                 const mapping::PlaceableMap& of) {
   if (!is_on_known_floor(reading, of.map())) {
     return false;
   }
@@ -212,7 +213,7 @@ void add_readings(const RobotMap& of,
     const std::vector<double> if_silent = of.scene().log_likelihoods_of(silenced(scan));
     const double share = std::min(1.0, kSweepReadings / static_cast<double>(scan.size()));
     for (std::size_t k = 0; k < scan.size(); ++k) {
-      if (is_told(scan[k], if_silent[k], of.map())) {
+      if (is_testable(scan[k], if_silent[k], of.map())) {
         evidence.gain += share * (log_likelihoods[k] - (scan[k].range_m ? echo : silence));
         evidence.loss += share * (seer.own_log_likelihoods()[i][k] - log_likelihoods[k]);
         evidence.readings += share;
@@ -231,7 +232,7 @@ void add_surfaces(const RobotMap& of,
                                               ? std::vector<double>()
                                               : of.scene().log_likelihoods_of(silenced(readings));
     for (std::size_t k = 0; k < readings.size(); ++k) {
-      if (is_told(readings[k], if_silent[k], of.map())) {
+      if (is_testable(readings[k], if_silent[k], of.map())) {
         ++evidence.surfaces;
         evidence.matched += matched_in(of, readings[k], kGateM).is_matched ? 1 : 0;
       }

@@ -33,7 +33,7 @@ void validate(const SureEvidence& sure) {
 void validate(const MapJoinParams& params) {
   geometry::ParameterValidator("map join")
       .positive("min_stops", params.min_stops)
-      .positive("judged", params.judged)
+      .positive("max_scored_placements", params.max_scored_placements)
       .positive("agreeing_looks", params.agreeing_looks)
       .positive("same_m", params.same_m)
       .positive("same_rad", params.same_rad)
@@ -54,16 +54,16 @@ bool MapJoin::are_large_enough(const RobotMap& first, const RobotMap& second) co
   return std::min(first.submaps().size(), second.submaps().size()) >= params_.min_stops;
 }
 
-std::vector<JudgedPlacement> MapJoin::proposals(const RobotMap& first,
+std::vector<ScoredPlacement> MapJoin::proposals(const RobotMap& first,
                                                 const RobotMap& second) const {
-  std::vector<JudgedPlacement> proposals;
+  std::vector<ScoredPlacement> proposals;
   for (const mapping::MapPlacement& placement :
        mapping::find_placements(first.map(), second.map(), params_.placement)) {
-    if (proposals.size() == params_.judged) {
+    if (proposals.size() == params_.max_scored_placements) {
       break;
     }
     const geometry::Pose2 refined = refined_placement(first, second, placement.T_previous_later);
-    if (std::none_of(proposals.begin(), proposals.end(), [&](const JudgedPlacement& other) {
+    if (std::none_of(proposals.begin(), proposals.end(), [&](const ScoredPlacement& other) {
           return slam::is_near(refined, other.T_first_second, params_.same_m, params_.same_rad);
         })) {
       proposals.push_back({refined, evidence_for(first, second, refined), placement.weight_m()});
@@ -76,12 +76,12 @@ std::vector<JudgedPlacement> MapJoin::proposals(const RobotMap& first,
 }
 
 void MapJoin::look(const RobotMap& first, const RobotMap& second) {
-  judged_ = proposals(first, second);
+  scored_ = proposals(first, second);
   if (!is_sure()) {
     agreeing_ = 0;
     return;
   }
-  const geometry::Pose2& best = judged_.front().T_first_second;
+  const geometry::Pose2& best = scored_.front().T_first_second;
   const bool agrees =
       agreeing_ > 0 && slam::is_near(*candidate_, best, params_.same_m, params_.same_rad);
   agreeing_ = agrees ? agreeing_ + 1 : 1;
@@ -97,7 +97,7 @@ void MapJoin::join(const geometry::Pose2& T_first_second) {
   ++joins_;
 }
 
-bool MapJoin::believe(const geometry::Pose2& T_first_second) {
+bool MapJoin::accept_join(const geometry::Pose2& T_first_second) {
   if (joined_ || undone_ > 0) {
     return false;
   }
@@ -123,26 +123,26 @@ void MapJoin::try_at(const RobotMap& first,
   const geometry::Pose2 refined = refined_placement(first, second, T_first_second);
   const bool stays = slam::is_near(T_first_second, refined, params_.same_m, params_.same_rad);
   const geometry::Pose2& tried = stays ? refined : T_first_second;
-  judged_ = {{tried, evidence_for(first, second, tried), 0.0}};
+  scored_ = {{tried, evidence_for(first, second, tried), 0.0}};
   agreeing_ = 0;
   if (stays && is_sure()) {
     join(refined);
     return;
   }
-  const MapEvidence& evidence = judged_.front().evidence;
+  const MapEvidence& evidence = scored_.front().evidence;
   const bool speaks_against = evidence.readings >= params_.sure.min_readings &&
                               evidence.loss_per_reading() > params_.undone_loss;
   contradicting_ = speaks_against ? contradicting_ + 1 : 0;
 }
 
 bool MapJoin::is_sure() const {
-  return !judged_.empty() && speaks_for(params_.sure, judged_.front().evidence) && !has_rival();
+  return !scored_.empty() && speaks_for(params_.sure, scored_.front().evidence) && !has_rival();
 }
 
 bool MapJoin::has_rival() const {
   const SureEvidence& sure = params_.sure;
-  const JudgedPlacement& best = judged_.front();
-  return std::any_of(judged_.begin() + 1, judged_.end(), [&](const JudgedPlacement& other) {
+  const ScoredPlacement& best = scored_.front();
+  return std::any_of(scored_.begin() + 1, scored_.end(), [&](const ScoredPlacement& other) {
     const bool is_refuted = other.evidence.readings >= sure.min_readings &&
                             other.evidence.loss_per_reading() > sure.refuted_loss;
     return other.evidence.weight() > sure.max_rival_share * best.evidence.weight() ||
@@ -152,15 +152,15 @@ bool MapJoin::has_rival() const {
 
 /// Two rooms may look alike as long as neither robot has seen the other one's. A map that is bent
 /// for a while loses much of its readings where it truly lies, but has the most wall there.
-bool MapJoin::is_outdone(const JudgedPlacement& join,
-                         const std::vector<JudgedPlacement>& proposals) const {
-  const auto is_at_join = [&](const JudgedPlacement& proposal) {
+bool MapJoin::is_outdone(const ScoredPlacement& join,
+                         const std::vector<ScoredPlacement>& proposals) const {
+  const auto is_at_join = [&](const ScoredPlacement& proposal) {
     return slam::is_near(
         join.T_first_second, proposal.T_first_second, params_.same_m, params_.same_rad);
   };
   const auto same = std::find_if(proposals.begin(), proposals.end(), is_at_join);
   const double wall_weight_m = same == proposals.end() ? 0.0 : same->wall_weight_m;
-  return std::any_of(proposals.begin(), proposals.end(), [&](const JudgedPlacement& other) {
+  return std::any_of(proposals.begin(), proposals.end(), [&](const ScoredPlacement& other) {
     return !is_at_join(other) && speaks_for(params_.sure, other.evidence) &&
            params_.sure.max_rival_share * other.evidence.weight() > join.evidence.weight() &&
            other.wall_weight_m > wall_weight_m;
@@ -170,11 +170,11 @@ bool MapJoin::is_outdone(const JudgedPlacement& join,
 void MapJoin::check(const RobotMap& first, const RobotMap& second) {
   const geometry::Pose2 refined = refined_placement(first, second, *joined_);
   const MapEvidence evidence = evidence_for(first, second, refined);
-  judged_ = {{refined, evidence, 0.0}};
+  scored_ = {{refined, evidence, 0.0}};
   const bool holds = slam::is_near(*joined_, refined, params_.same_m, params_.same_rad) &&
                      evidence.readings >= 0.5 * params_.sure.min_readings &&
                      evidence.loss_per_reading() <= params_.undone_loss &&
-                     !is_outdone(judged_.front(), proposals(first, second));
+                     !is_outdone(scored_.front(), proposals(first, second));
   contradicting_ = holds ? 0 : contradicting_ + 1;
   if (holds) {
     joined_ = refined;

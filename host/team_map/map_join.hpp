@@ -12,39 +12,41 @@
 
 namespace echomap::team_map {
 
-/// When a look at two maps is sure; ours, chosen in simulated rooms (docs/algorithms/team_map.md).
+/// When a comparison of two maps is sure. Values are ours, chosen in simulated rooms
+/// (docs/algorithms/team_map.md).
 struct SureEvidence {
-  /// A placement is sure that explains the readings about as well as each map its own: so much is
-  /// lost at most of the log-likelihood of a reading,
+  /// Largest loss of log-likelihood per reading: a sure placement explains readings about as well
+  /// as each map explains its own.
   double max_loss = 0.18;
-  /// over so many readings at least, which it explains by so much better than no map,
+  /// Smallest number of readings in the overlap, and smallest gain of log-likelihood over no map.
   double min_readings = 300.0;
   double min_gain = 450.0;
-  /// with so many surfaces that both have seen, as such a share of those that they should have,
+  /// Smallest number of surfaces that both have measured, and their share of those that both should
+  /// have.
   std::size_t min_matched = 20;
   double min_matched_share = 0.7;
-  /// such a share of its weight at most speaks for any other place, by readings,
+  /// Largest share of its weight by readings that any other placement may have,
   double max_rival_share = 0.7;
-  /// and by walls (mapping::MapPlacement), of which it has the most; but for places that lose more
-  /// than this of a reading, over min_readings: there readings speak against what walls say.
+  /// and by walls (mapping::MapPlacement). Placements that lose more than refuted_loss per reading,
+  /// over min_readings, do not count there: their readings contradict their walls.
   double max_rival_wall_share = 0.85;
   double refuted_loss = 1.0;
 };
 
-/// When the maps of two robots are joined, and when they are taken apart again; ours as well.
+/// When the maps of two robots are joined, and when a join is undone. Values are ours as well.
 struct MapJoinParams {
   mapping::MapPlacementParams placement;
-  /// A map of fewer stops shows one place, which may look like others: it is not joined.
+  /// Smallest number of stops of a map to join: fewer show one place, which may look like others.
   std::size_t min_stops = 3;
-  /// Of the placements that walls and floor speak for, so many of the best are judged by readings.
-  std::size_t judged = 24;
-  /// So many looks in a row agree on it, within same_m and same_rad.
+  /// Number of the best placements by walls and floor that are scored by readings.
+  std::size_t max_scored_placements = 24;
+  /// When a comparison is sure, and how many in a row have to agree within same_m and same_rad.
   SureEvidence sure;
   std::size_t agreeing_looks = 2;
   double same_m = 0.3;
   double same_rad = 0.17;
-  /// A join is undone that loses more than this of a reading, or that another place outdoes by
-  /// readings (SureEvidence::max_rival_share) and walls, so many looks in a row.
+  /// A join is undone that loses more than this per reading, or that another placement outdoes by
+  /// readings (SureEvidence::max_rival_share) and walls, in undoing_looks comparisons in a row.
   double undone_loss = 0.8;
   std::size_t undoing_looks = 2;
 };
@@ -52,56 +54,57 @@ struct MapJoinParams {
 /// Throws std::invalid_argument for invalid parameters.
 void validate(const MapJoinParams& params);
 
-/// A place of the second map in the first one, and what speaks for it.
-struct JudgedPlacement {
+/// A placement of the second map in the first one, and its evidence.
+struct ScoredPlacement {
   geometry::Pose2 T_first_second;
   MapEvidence evidence;
   double wall_weight_m = 0.0;  ///< mapping::MapPlacement::weight_m.
 };
 
-/// How the maps of two robots lie to each other, as far as is known. Looked for after every stop of
-/// either; what was found stays revocable.
+/// Relative pose of the maps of two robots, as far as it is known. It is searched after every stop
+/// of either; a join stays revocable.
 class MapJoin {
  public:
   explicit MapJoin(const MapJoinParams& params) : params_(params) {}
 
-  /// Looks for the second robot's map in that of the first, or checks the join that there is.
+  /// Searches the second robot's map in that of the first, or checks the join that there is.
   void update(const RobotMap& first, const RobotMap& second);
 
-  /// The same where others tell how the two lie to each other: joins them there if their readings
-  /// are sure of it, too.
+  /// Checks a placement that joins with other maps imply, and joins the two maps there if their own
+  /// readings are sure of it, too.
   void try_at(const RobotMap& first, const RobotMap& second, const geometry::Pose2& T_first_second);
-  /// Others have joined the two there: so they are here, too, to be checked like any join, unless
-  /// one has been undone here. Answers whether that is new.
-  bool believe(const geometry::Pose2& T_first_second);
-  /// Whether the last tries in a row, as many as undo a join, spoke against that place.
+  /// Adopts a join that other robots have made, to be checked like any join; not where one has been
+  /// undone here. Returns whether it is new.
+  bool accept_join(const geometry::Pose2& T_first_second);
+  /// Whether the last calls of try_at in a row, as many as undo a join, contradicted their
+  /// placement.
   bool is_contradicted() const { return contradicting_ >= params_.undoing_looks; }
-  /// Takes the join back: something else has contradicted it.
+  /// Undoes the join, where something else has contradicted it.
   void undo();
 
   /// From the second robot's map to the first one's; empty while it is not known.
   const std::optional<geometry::Pose2>& T_first_second() const { return joined_; }
-  /// What was judged last, the best first; of a join, that alone.
-  const std::vector<JudgedPlacement>& judged() const { return judged_; }
-  /// What speaks for the join, as of the last look (MapEvidence::weight).
-  double weight() const { return judged_.empty() ? 0.0 : judged_.front().evidence.weight(); }
+  /// Placements that were scored last, the best first; of a join, that alone.
+  const std::vector<ScoredPlacement>& scored() const { return scored_; }
+  /// Weight of the join as of the last comparison (MapEvidence::weight).
+  double weight() const { return scored_.empty() ? 0.0 : scored_.front().evidence.weight(); }
   std::size_t joins() const { return joins_; }
-  /// How often a join was contradicted later.
+  /// Number of joins that were contradicted later.
   std::size_t undone() const { return undone_; }
 
  private:
   bool are_large_enough(const RobotMap& first, const RobotMap& second) const;
-  /// Places that walls propose, refined and judged, the best first.
-  std::vector<JudgedPlacement> proposals(const RobotMap& first, const RobotMap& second) const;
+  /// Placements that walls propose, refined and scored, the best first.
+  std::vector<ScoredPlacement> proposals(const RobotMap& first, const RobotMap& second) const;
   void look(const RobotMap& first, const RobotMap& second);
   void check(const RobotMap& first, const RobotMap& second);
   void join(const geometry::Pose2& T_first_second);
   bool is_sure() const;
   bool has_rival() const;
-  bool is_outdone(const JudgedPlacement& join, const std::vector<JudgedPlacement>& proposals) const;
+  bool is_outdone(const ScoredPlacement& join, const std::vector<ScoredPlacement>& proposals) const;
 
   MapJoinParams params_;
-  std::vector<JudgedPlacement> judged_;
+  std::vector<ScoredPlacement> scored_;
   std::optional<geometry::Pose2> candidate_;
   std::size_t agreeing_ = 0;
   std::optional<geometry::Pose2> joined_;

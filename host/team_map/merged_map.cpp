@@ -14,7 +14,7 @@ namespace {
 using mapping::CellState;
 using mapping::OccupancyGrid;
 
-/// Silence tells of this much floor.
+/// A reading without an echo shows this much floor.
 constexpr double kSilentReachM = 2.0;
 constexpr std::size_t kMaxBits = 64;
 
@@ -46,7 +46,7 @@ mapping::ContactMapperParams contact_params(double body_radius_m) {
   return params;
 }
 
-/// The grid with what the robots felt on their ways.
+/// The grid with the floor that the robots have driven over, and their contacts.
 OccupancyGrid with_contacts(OccupancyGrid grid,
                             const std::vector<MapShare>& shares,
                             const mapping::OccupancyGridParams& params) {

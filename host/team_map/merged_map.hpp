@@ -19,7 +19,8 @@
 
 namespace echomap::team_map {
 
-/// Which robots have told of a cell: one bit for each, in the order in which the map lists them.
+/// Which robots have observed each cell: one bit per robot, in the order in which the map lists
+/// them.
 class Provenance {
  public:
   Provenance() = default;
@@ -27,7 +28,7 @@ class Provenance {
 
   const mapping::CellBounds& bounds() const { return bounds_; }
   double resolution_m() const { return resolution_m_; }
-  /// None of them outside of the bounds.
+  /// Bits of the robots that have observed a cell; none outside of the bounds.
   std::uint64_t robots_at(geometry::CellIndex cell) const;
   void add(geometry::CellIndex cell, std::size_t robot);
 
@@ -41,11 +42,11 @@ class Provenance {
 struct MergedMap {
   std::vector<std::string> robots;  ///< At most 64 have a bit of their own.
   std::shared_ptr<const mapping::OccupancyGrid> grid;
-  /// What the sonars of all of them heard, in the order in which it came.
+  /// Sonar scans of all of them, in the order in which they came.
   std::shared_ptr<const std::vector<mapping::Scan>> scans;
   /// What the grid is drawn from.
   std::shared_ptr<const mapping::SonarFeatures> features;
-  /// Where the robots' centres have been.
+  /// Positions where the robots' centres have been.
   std::shared_ptr<const std::vector<Eigen::Vector2d>> been_m;
   Provenance provenance;
 };
@@ -57,13 +58,14 @@ struct MapShare {
   PlacedSubmaps placed;  ///< In the frame of the merged map.
 };
 
-/// Makes the map of several robots from what they sensed, as a robot makes its own: not of their
-/// grids, so that a wall that two robots have heard is one wall.
+/// Builds the map of several robots from their readings, as a robot builds its own: not from their
+/// grids, so that a wall that two robots have measured is one wall.
 class MergedMapper {
  public:
   explicit MergedMapper(const mapping::SonarMapperParams& params) : params_(params) {}
 
-  /// Of all that they have told so far; keeps what has not changed since the last time.
+  /// Merges all that the robots have published so far. Reuses what has not changed since the last
+  /// call.
   MergedMap merge(const std::vector<MapShare>& shares);
 
  private:

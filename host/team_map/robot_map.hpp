@@ -18,36 +18,36 @@
 
 namespace echomap::team_map {
 
-/// The map of one robot alone, in its own map frame, made of what it has told.
+/// The map of one robot alone, in its own map frame, built from what it has published.
 class RobotMap {
  public:
   /// `params` are those of the team; the beam is the robot's.
   explicit RobotMap(const mapping::SonarMapperParams& params) : params_(params) {}
 
-  /// Takes all that the robot has told so far. Answers whether anything is new.
+  /// Takes all that the robot has published so far. Returns whether anything is new.
   bool take(RobotRecord record);
 
   const std::string& robot() const { return record_.robot; }
-  /// With calibrated turns; at least one.
+  /// Submaps with calibrated turns.
   const std::vector<Submap>& submaps() const { return calibrated_.submaps(); }
   const std::vector<geometry::Pose2>& T_map_submaps() const { return record_.T_map_submaps; }
   double beam_half_angle_rad() const { return record_.beam_half_angle_rad; }
   double body_radius_m() const { return record_.body_radius_m; }
   const PlacedSubmaps& placed() const { return placed_; }
-  /// There must be a submap; so for all below.
+  /// The robot's map as cells. This and the functions below need at least one submap.
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): take() has set it
   const mapping::PlaceableMap& map() const { return *map_; }
-  /// What each submap has seen, in the frame of its first reading: as long as the robot tells it.
+  /// Surfaces that each submap has measured, in the frame of its first reading.
   const std::vector<mapping::ScanSurfaces>& surfaces() const { return surfaces_; }
-  /// The same on the map.
+  /// The same surfaces on the map.
   const std::vector<mapping::ScanSurfaces>& placed_surfaces() const { return placed_surfaces_; }
-  /// What all submaps together have seen.
+  /// Walls and posts found in all submaps together.
   const mapping::MatchedSurfaces& features() const { return features_; }
-  /// What a sonar hears of those features.
+  /// Predicts what a sonar measures of those features.
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): take() has set it
   const slam::SonarScene& scene() const { return *scene_; }
-  /// Of each reading of each submap, how likely it is by what the robot's other submaps have seen
-  /// (logarithm): as well as this map explains anything.
+  /// Log-likelihood of each reading of each submap, given what the robot's other submaps have
+  /// measured: as well as this map explains any reading.
   const std::vector<std::vector<double>>& own_log_likelihoods() const { return own_; }
 
  private:

@@ -17,19 +17,19 @@ struct SubmapContact {
   bool right = false;
 };
 
-/// What a robot sensed from one stop, and on its way there from the stop before: the least part of
-/// a map, immutable. It is by odometry alone; where it lies on the map is a matter of the pose
-/// graph, which may change without it.
+/// Readings of one stop, and of the path there from the stop before: the smallest part of a map,
+/// immutable. Its poses are by odometry alone; its place on the map is in the pose graph, which may
+/// change without it.
 struct Submap {
-  std::uint32_t index = 0;  ///< Of its robot, from 0 on, without a gap.
-  double begin_s = 0.0;     ///< On the robot's clock: of the way there, and the stop's end.
+  std::uint32_t index = 0;  ///< Number among its robot's submaps, from 0 on, without a gap.
+  double begin_s = 0.0;     ///< On the robot's clock: start of the path there, and end of the stop.
   double end_s = 0.0;
   std::vector<slam::StopReading> readings;  ///< At least one.
   std::vector<geometry::Pose2> T_odom_way;  ///< Robot poses, about 10 cm apart.
   std::vector<SubmapContact> contacts;
 };
 
-/// All that one robot has told of its surroundings.
+/// All that one robot has published of its surroundings.
 struct RobotRecord {
   std::string robot;
   std::vector<Submap> submaps;  ///< By index.

@@ -2,23 +2,20 @@
 #include "host/team_map/submap_recorder.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <utility>
 #include <variant>
+
+#include "host/time/robot_seconds.hpp"
 
 namespace echomap::team_map {
 
 namespace {
 
 constexpr double kWayStepM = 0.1;
-/// What lies farther from where the robot listened is left out of a submap, which may be sent only
-/// so large (fleet_messages/messages.hpp).
+/// Poses farther than this from the stop are left out of a submap, whose message has a limit
+/// (fleet_messages/messages.hpp).
 constexpr double kMaxReachM = 29.0;
-
-double seconds(time::RobotTime stamp) {
-  return std::chrono::duration<double>(stamp.time_since_epoch()).count();
-}
 
 template <class Things>
 void append(Things& to, const Things& things) {
@@ -61,7 +58,7 @@ void SubmapRecorder::follow(time::RobotTime stamp, const sensors::WheelTravel& t
 
 void SubmapRecorder::move_on(time::RobotTime stamp) {
   if (!last_stamp_) {
-    open_.begin_s = seconds(stamp);
+    open_.begin_s = time::robot_seconds(stamp);
   }
   last_stamp_ = std::max(stamp, last_stamp_.value_or(stamp));
   const geometry::Pose2& T_odom_robot = odometry_.T_odom_robot();
@@ -104,7 +101,7 @@ void SubmapRecorder::finish_submap() {
   }
   Submap ended = std::exchange(open_, {});
   ended.index = static_cast<std::uint32_t>(submaps_.size());
-  ended.end_s = seconds(*last_stamp_);
+  ended.end_s = time::robot_seconds(*last_stamp_);
   open_.begin_s = ended.end_s;
   const Eigen::Vector2d middle_m = ended.readings.front().mark.T_odom_robot.position_m();
   const auto is_far = [&](const geometry::Pose2& T_odom_robot) {

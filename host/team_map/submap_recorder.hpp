@@ -17,8 +17,8 @@
 
 namespace echomap::team_map {
 
-/// Makes a submap of every stop of one robot, by its odometry, beside the pipeline that makes its
-/// map (pipeline::ObservationFork). Pings on the way are in no submap.
+/// Builds a submap of every stop of one robot from its odometry, beside the pipeline that builds
+/// its map (pipeline::ObservationFork). Pings between stops are in no submap.
 class SubmapRecorder final : public pipeline::AnyObservationSink {
  public:
   /// Throws std::invalid_argument for a geometry without sizes.
@@ -26,12 +26,12 @@ class SubmapRecorder final : public pipeline::AnyObservationSink {
 
   void on(const sensors::Observation& observation) override;
 
-  /// Where the robot is by the odometry of its submaps.
+  /// Robot pose in the odometry frame of its submaps.
   const geometry::Pose2& T_odom_robot() const { return odometry_.T_odom_robot(); }
   /// One for each stop that has ended with at least one answer of the sonar.
   const std::vector<Submap>& submaps() const { return submaps_; }
-  /// Takes the last submap back, where the map does not have its stop either
-  /// (pipeline::Snapshot::last_scan_fault): its way and contacts go to the next one. Does nothing
+  /// Discards the last submap, where the map has discarded its stop, too
+  /// (pipeline::Snapshot::last_scan_fault): its path and contacts go to the next one. Does nothing
   /// without a submap.
   void drop_last();
 
@@ -53,8 +53,8 @@ class SubmapRecorder final : public pipeline::AnyObservationSink {
   std::vector<Submap> submaps_;
 };
 
-/// The robot's pose on its map at the first reading of each submap, as its pipeline has it now;
-/// `recorder` has dropped what the pipeline has not taken.
+/// Robot poses on its map at the first reading of each submap, as its pipeline has them now. The
+/// recorder must have dropped the stops that the pipeline has discarded.
 std::vector<geometry::Pose2> T_map_submaps(const pipeline::Snapshot& snapshot);
 
 }  // namespace echomap::team_map

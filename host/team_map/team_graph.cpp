@@ -85,7 +85,7 @@ class TeamStops {
     }
     widen_headings();
     for (std::size_t robot = 0; robot < tracks_.size(); ++robot) {
-      tell_stddevs(robot);
+      set_stddevs(robot);
     }
   }
 
@@ -99,7 +99,7 @@ class TeamStops {
     }
   }
 
-  void tell_stddevs(std::size_t robot) {
+  void set_stddevs(std::size_t robot) {
     const std::size_t end =
         robot + 1 < first_stops_.size() ? first_stops_[robot + 1] : first_stands_.size();
     const auto covariance = slam::covariance_of(params_.graph, last_, first_stands_[end - 1]);

@@ -15,8 +15,7 @@
 
 namespace echomap::team_map {
 
-/// How the stops of several robots are aligned; as slam::StopAlignmentParams, whose values these
-/// are.
+/// How the stops of several robots are aligned. Values are those of slam::StopAlignmentParams.
 struct TeamGraphParams {
   slam::StopStandParams stands;
   mapping::SurfaceMatchingParams matching{.wall_bearing_tolerance_rad = 0.18,
@@ -24,8 +23,8 @@ struct TeamGraphParams {
   slam::StopHeadingParams heading;
   slam::StopGraphParams graph;
   int rounds = 2;
-  /// For the standard deviations, a reading counts so much of a measurement of its stop's heading,
-  /// because neighbours in a beam share their errors.
+  /// Weight of a reading as a measurement of its stop's heading, for the standard deviations:
+  /// neighbours in a beam share their errors.
   double reading_weight = 0.1;
 };
 
@@ -35,14 +34,14 @@ void validate(const TeamGraphParams& params);
 /// The stops of one robot in a team's graph.
 struct TeamTrack {
   const RobotMap* map = nullptr;
-  std::vector<geometry::Pose2> T_team_submaps;  ///< Where they are begun, and then are.
-  /// How well the last one is known against the first submap of the first track; infinite where
-  /// nothing ties the two.
+  std::vector<geometry::Pose2> T_team_submaps;  ///< Initial poses, which are then aligned.
+  /// Standard deviations of the last one against the first submap of the first track; infinite
+  /// where nothing connects the two.
   double position_stddev_m = 0.0;
   double heading_stddev_rad = 0.0;
 };
 
-/// Which stops of two robots lie how to each other: told, or seen.
+/// Relative pose of two stops of two robots, known from outside or by a join.
 struct TeamRelation {
   std::size_t robot = 0;  ///< Index of its track, and its submap.
   std::size_t submap = 0;
@@ -53,9 +52,9 @@ struct TeamRelation {
   double heading_stddev_rad = 0.0;
 };
 
-/// Moves all stops of all robots to where they agree on walls and posts, with the odometry of each
+/// Aligns all stops of all robots on the walls and posts that they share, with the odometry of each
 /// between its own: one least-squares pose graph (slam::align_stops) over surfaces that are matched
-/// across robots. The first submap of the first track stays.
+/// across robots. The first submap of the first track stays fixed.
 void align_team(const TeamGraphParams& params,
                 const std::vector<TeamRelation>& relations,
                 std::vector<TeamTrack>& tracks);

@@ -65,23 +65,23 @@ void TeamMap::take(const RobotRecord& record) {
   }
 }
 
-void TeamMap::tell(const ToldPose& told) {
-  const RelativePose& relative = told.relative;
-  if (told.robot < told.peer) {
-    told_[{told.robot, told.peer}] = relative;
+void TeamMap::set_known_pose(const KnownPose& known) {
+  const RelativePose& relative = known.relative;
+  if (known.robot < known.peer) {
+    known_poses_[{known.robot, known.peer}] = relative;
   } else {
-    told_[{told.peer, told.robot}] = {
+    known_poses_[{known.peer, known.robot}] = {
         relative.T_own_peer.inverse(), relative.position_stddev_m, relative.heading_stddev_rad};
   }
-  changed_.push_back(told.robot);
+  changed_.push_back(known.robot);
 }
 
-void TeamMap::believe(const std::string& robot,
-                      const std::string& peer,
-                      const Pose2& T_robot_peer) {
+void TeamMap::accept_join(const std::string& robot,
+                          const std::string& peer,
+                          const Pose2& T_robot_peer) {
   const Pair pair = std::minmax(robot, peer);
   MapJoin& join = joins_.try_emplace(pair, params_.joining).first->second;
-  if (join.believe(pair.first == robot ? T_robot_peer : T_robot_peer.inverse())) {
+  if (join.accept_join(pair.first == robot ? T_robot_peer : T_robot_peer.inverse())) {
     changed_.push_back(robot);
   }
 }
@@ -124,8 +124,8 @@ void TeamMap::join_pairs() {
       const bool is_new = std::any_of(changed_.begin(), changed_.end(), [&](const auto& robot) {
         return robot == one->first || robot == other->first;
       });
-      if (is_new && !told_.contains({one->first, other->first}) && !one->second.submaps().empty() &&
-          !other->second.submaps().empty()) {
+      if (is_new && !known_poses_.contains({one->first, other->first}) &&
+          !one->second.submaps().empty() && !other->second.submaps().empty()) {
         join_pair({one->first, other->first});
       }
     }
@@ -134,8 +134,8 @@ void TeamMap::join_pairs() {
   count_joins();
 }
 
-/// Where two maps that are joined by way of others lie is known: their own readings tell whether
-/// it is so.
+/// The relative pose of two maps that are joined through others is known; their own readings
+/// confirm or contradict it.
 void TeamMap::join_pair(const Pair& pair) {
   const RobotMap& one = robots_.at(pair.first);
   const RobotMap& other = robots_.at(pair.second);
@@ -149,7 +149,7 @@ void TeamMap::join_pair(const Pair& pair) {
   if (join.is_contradicted()) {
     const std::vector<MapLink> all = links();
     if (const std::size_t weakest = weakest_between(pair.first, pair.second, all);
-        weakest < all.size() && !told_.contains({all[weakest].one, all[weakest].other})) {
+        weakest < all.size() && !known_poses_.contains({all[weakest].one, all[weakest].other})) {
       joins_.at({all[weakest].one, all[weakest].other}).undo();
     }
   }
@@ -162,7 +162,7 @@ void TeamMap::undo_contradicted() {
     robots.push_back(robot);
   }
   for (const std::size_t i : join_tree(robots, all, params_.tree).contradicted) {
-    if (const Pair pair{all[i].one, all[i].other}; !told_.contains(pair)) {
+    if (const Pair pair{all[i].one, all[i].other}; !known_poses_.contains(pair)) {
       joins_.at(pair).undo();
     }
   }
@@ -186,11 +186,11 @@ std::vector<MapLink> TeamMap::links() const {
       links.push_back({pair.first, pair.second, T_one_other, weight, middle_m(other->second)});
     }
   };
-  for (const auto& [pair, relative] : told_) {
+  for (const auto& [pair, relative] : known_poses_) {
     add(pair, relative.T_own_peer, std::numeric_limits<double>::infinity());
   }
   for (const auto& [pair, join] : joins_) {
-    if (join.T_first_second() && !told_.contains(pair)) {
+    if (join.T_first_second() && !known_poses_.contains(pair)) {
       add(pair, *join.T_first_second(), join.weight());
     }
   }
@@ -242,7 +242,7 @@ void TeamMap::align(TeamComponent& component) const {
 
 std::vector<TeamRelation> TeamMap::relations_in(const TeamComponent& component) const {
   std::vector<TeamRelation> relations;
-  for (const auto& [pair, relative] : told_) {
+  for (const auto& [pair, relative] : known_poses_) {
     const auto robot = find_in(component, pair.first);
     const auto peer = find_in(component, pair.second);
     if (robot && peer) {

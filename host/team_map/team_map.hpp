@@ -20,25 +20,25 @@
 
 namespace echomap::team_map {
 
-/// How a team's maps are joined, aligned and drawn.
+/// How a team's maps are joined, aligned and rendered.
 struct TeamMapParams {
   MapJoinParams joining;
   JoinTreeParams tree;
   TeamGraphParams graph;
-  /// Of the merged map, and of each robot's own; the beam is each robot's.
+  /// Mapper of the merged map and of each robot's own; the beam is each robot's.
   mapping::SonarMapperParams mapper;
 };
 
-/// Where a robot's map lies in another one's, and how well that is known.
+/// Pose of a robot's map in another one's, with its standard deviations.
 struct RelativePose {
   geometry::Pose2 T_own_peer;
   double position_stddev_m = 0.0;
   double heading_stddev_rad = 0.0;
 };
 
-/// That somebody who knows tells where the map of `peer` lies in that of `robot`: where both
-/// started, say.
-struct ToldPose {
+/// Pose of the map of `peer` in that of `robot` that is known from outside, for example because
+/// both starts are known.
+struct KnownPose {
   std::string robot;
   std::string peer;
   RelativePose relative;
@@ -47,56 +47,57 @@ struct ToldPose {
 /// Robots whose maps are joined, in the frame of the first one's map, as its first submap has it.
 struct TeamComponent {
   std::vector<std::string> robots;  ///< By name.
-  /// Of each robot, where its submaps are as all together have it. Rounded to 0.1 mm and 10 urad:
-  /// two hosts that know the same have the same numbers.
+  /// Poses of each robot's submaps after alignment, rounded to 0.1 mm and 10 urad: two hosts with
+  /// the same data have the same numbers.
   std::vector<std::vector<geometry::Pose2>> T_team_submaps;
-  /// Of each robot: leads from its own map to the team's frame where it stood last.
+  /// Transforms from each robot's own map to the team's frame, at the robot's last stop.
   std::vector<geometry::Pose2> T_team_maps;
-  /// How well that is known, against the first robot.
+  /// Standard deviations of those, against the first robot.
   std::vector<double> position_stddev_m;
   std::vector<double> heading_stddev_rad;
 };
 
-/// What joining has come to so far.
+/// Counts of joins so far.
 struct JoinCounts {
   std::size_t joins = 0;
-  std::size_t undone = 0;  ///< Joins that what came later has contradicted.
+  std::size_t undone = 0;  ///< Joins that later data have contradicted.
 };
 
-/// The maps of a team whose robots do not know where the others started: finds how they lie to each
-/// other, joins those where that is sure, and undoes a join that is contradicted later
-/// (docs/algorithms/team_map.md). A function of what it was told, in that order.
+/// The maps of a team whose robots do not know where the others started: finds their relative
+/// poses, joins them where those are sure, and undoes a join that is contradicted later
+/// (docs/algorithms/team_map.md). A function of its input, in the order in which it came.
 class TeamMap {
  public:
   /// Throws std::invalid_argument for invalid parameters.
   explicit TeamMap(const TeamMapParams& params = {});
 
-  /// Takes all that a robot has told so far, in place of what it had told before.
+  /// Takes all that a robot has published so far, in place of what it had published before.
   void take(const RobotRecord& record);
-  /// From now on this holds, whatever walls say.
-  void tell(const ToldPose& told);
+  /// Sets a relative pose that holds from now on, whatever the readings show.
+  void set_known_pose(const KnownPose& known);
 
-  /// Robots of the team have joined two maps: so they are here, too, until what is known
-  /// contradicts that.
-  void believe(const std::string& robot,
-               const std::string& peer,
-               const geometry::Pose2& T_robot_peer);
+  /// Adopts a join that other robots have made, until the data here contradict it.
+  void accept_join(const std::string& robot,
+                   const std::string& peer,
+                   const geometry::Pose2& T_robot_peer);
 
-  /// To be called after something was taken: looks for joins, checks those that there are, and
-  /// aligns what is joined. Answers whether the components or their poses have changed.
+  /// Searches for joins, checks those that there are, and aligns what is joined; to be called after
+  /// new input. Returns whether the components or their poses have changed.
   bool update();
 
-  /// All robots that have a submap, the alone ones too; in the order of their first robots' names.
+  /// Components of all robots that have a submap, single robots included, in the order of their
+  /// first robots' names.
   const std::vector<TeamComponent>& components() const { return components_; }
   /// The component of a robot; null where nothing is known of it.
   const TeamComponent* component_of(const std::string& robot) const;
-  /// From the map of `peer` to that of `own`, where both stood last; empty while they are not
-  /// joined.
+  /// Transform from the map of `peer` to that of `own`, at the last stops of both; empty while they
+  /// are not joined.
   std::optional<RelativePose> relative_pose(const std::string& own, const std::string& peer) const;
-  /// The map of a robot's component, in the frame of that robot's map where it stood last; made
-  /// when it is asked for. Throws std::out_of_range for a robot of which nothing is known.
+  /// The map of a robot's component, in the frame of that robot's map at its last stop; built on
+  /// demand. Throws std::out_of_range for a robot of which nothing is known.
   const MergedMap& merged(const std::string& robot);
-  /// Where that robot was when its stops ended, on that map. Throws std::out_of_range as `merged`.
+  /// Poses of that robot at the ends of its stops, on that map. Throws std::out_of_range as
+  /// `merged`.
   std::vector<StopEnd> stop_ends(const std::string& robot) const;
 
   const JoinCounts& counts() const { return counts_; }
@@ -108,11 +109,11 @@ class TeamMap {
   void join_pair(const Pair& pair);
   void undo_contradicted();
   void count_joins();
-  /// All that holds now, told poses among them; they outweigh all others.
+  /// All links that hold now. Known poses are among them and outweigh all others.
   std::vector<MapLink> links() const;
   std::vector<TeamComponent> connected() const;
   const TeamComponent& known_component_of(const std::string& robot) const;
-  /// Of each robot of its component, where its submaps are on that robot's map.
+  /// Poses of the submaps of each robot of its component, on that robot's map.
   std::vector<std::vector<geometry::Pose2>> T_map_submaps(const std::string& robot) const;
   void align(TeamComponent& component) const;
   bool has_news(const TeamComponent& component) const;
@@ -120,7 +121,7 @@ class TeamMap {
   TeamMapParams params_;
   std::map<std::string, RobotMap> robots_;
   std::map<Pair, MapJoin> joins_;
-  std::map<Pair, RelativePose> told_;
+  std::map<Pair, RelativePose> known_poses_;
   std::vector<std::string> changed_;
   std::vector<TeamComponent> begun_;  ///< The components as they were before they were aligned.
   std::vector<TeamComponent> components_;

@@ -34,26 +34,26 @@ using team_exploration::TeamView;
 constexpr std::size_t kManyStops = 500;
 constexpr double kWayStepM = 0.1;
 
-/// What was told when.
-template <class Told>
+/// Values with the times they were published at.
+template <class Value>
 class History {
  public:
-  void tell(double now_s, Told told) { told_.emplace_back(now_s, std::move(told)); }
+  void add(double now_s, Value value) { values_.emplace_back(now_s, std::move(value)); }
   /// The last before; null where there is none.
-  const Told* at(double now_s) const {
+  const Value* at(double now_s) const {
     const auto after =
-        std::upper_bound(told_.begin(), told_.end(), now_s, [](double time_s, const auto& one) {
+        std::upper_bound(values_.begin(), values_.end(), now_s, [](double time_s, const auto& one) {
           return time_s < one.first;
         });
-    return after == told_.begin() ? nullptr : &std::prev(after)->second;
+    return after == values_.begin() ? nullptr : &std::prev(after)->second;
   }
-  const Told& last() const { return told_.back().second; }
+  const Value& last() const { return values_.back().second; }
 
  private:
-  std::vector<std::pair<double, Told>> told_;
+  std::vector<std::pair<double, Value>> values_;
 };
 
-struct ToldPose {
+struct PublishedPose {
   Pose2 T_map_robot;
   double speed_m_per_s = 0.0;
 };
@@ -66,7 +66,7 @@ class Member final : public team_exploration::TeamBoard {
   Member(Team& team, std::size_t index, const world::FloorPlan& room, std::uint32_t seed);
 
   TeamView view() override;
-  void claim(const std::optional<Claim>& claim) override { claims.tell(now_s(), claim); }
+  void claim(const std::optional<Claim>& claim) override { claims.add(now_s(), claim); }
 
   double now_s() const { return robot ? robot->now_s() : 0.0; }
   bool has_finished() const { return outcome.reason.has_value(); }
@@ -87,7 +87,7 @@ class Member final : public team_exploration::TeamBoard {
   std::optional<OfflineRobot> robot;
   std::optional<team_exploration::TeamExplorer> explorer;
   MotionResult last = MotionResult::kReached;
-  History<ToldPose> poses;
+  History<PublishedPose> poses;
   History<std::optional<Claim>> claims;
   History<std::size_t> scans;  ///< So many in its map.
   OfflineMember outcome;
@@ -129,7 +129,7 @@ class Team {
 
  private:
   Member* next();
-  void tell_places(Member& member);
+  void set_peers(Member& member);
   void count_touches(OfflineTeamRun& run);
 
   std::vector<char> touching_;
@@ -173,28 +173,28 @@ Member::Member(Team& all, std::size_t i, const world::FloorPlan& room, std::uint
   robot.emplace(world, geometry, *filter);
   robot->look_around_on_the_way();
   explorer.emplace(*this, explorer_params(all.robot, name));
-  poses.tell(0.0, {});
-  scans.tell(0.0, 0);
+  poses.add(0.0, {});
+  scans.add(0.0, 0);
 }
 
-/// As they have told it by then.
+/// As they had published it by then.
 std::vector<Peer> Member::peers(double then_s) const {
   std::vector<Peer> peers;
   if (now_s() < team.settings.frames_known_s) {
     return peers;
   }
   for (const Member& other : team.members) {
-    const ToldPose* told = other.poses.at(then_s);
-    if (&other == this || told == nullptr) {
+    const PublishedPose* published = other.poses.at(then_s);
+    if (&other == this || published == nullptr) {
       continue;
     }
     const Pose2 T_map_map = team.starts[index].inverse() * team.starts[other.index];
     peers.push_back({other.name,
-                     T_map_map * told->T_map_robot,
+                     T_map_map * published->T_map_robot,
                      team.settings.position_stddev_m,
                      team.robot.body.radius_m,
                      std::isfinite(then_s) ? now_s() - then_s : 0.0,
-                     told->speed_m_per_s});
+                     published->speed_m_per_s});
   }
   return peers;
 }
@@ -209,9 +209,9 @@ TeamView Member::view() {
   view_.peers = peers(std::max(0.0, period_s * std::floor(known_s / period_s)));
   view_.claims.clear();
   for (const Member& other : team.members) {
-    const auto* told = other.claims.at(known_s);
-    if (&other != this && told != nullptr && *told) {
-      Claim claim = **told;
+    const auto* published = other.claims.at(known_s);
+    if (&other != this && published != nullptr && *published) {
+      Claim claim = **published;
       claim.at_m = team.starts[index].inverse() * (team.starts[other.index] * claim.at_m);
       view_.claims.push_back(claim);
     }
@@ -219,7 +219,7 @@ TeamView Member::view() {
   return view_;
 }
 
-/// By what all have told so far, where their maps have it now.
+/// From what all have published so far, where their maps have it now.
 void Member::update_map() {
   const double known_s = now_s() - team.settings.delay_s;
   bool has_changed = false;
@@ -230,8 +230,8 @@ void Member::update_map() {
   std::vector<pipeline::Snapshot> snapshots;
   for (Member& other : team.members) {
     const double then_s = &other == this ? now_s() : known_s;
-    const auto* told = other.scans.at(then_s);
-    for (std::size_t i = known[other.index]; told != nullptr && i < *told; ++i) {
+    const auto* published = other.scans.at(then_s);
+    for (std::size_t i = known[other.index]; published != nullptr && i < *published; ++i) {
       in_map_.emplace_back(other.index, i);
       has_changed = true;
     }
@@ -285,10 +285,10 @@ void Member::move_on() {
   }
   last = robot->execute(motion);
   const auto* roll = std::get_if<exploration::Roll>(&motion);
-  poses.tell(now_s(),
-             {pipeline.pose_estimate().T_map_robot, roll != nullptr ? roll->forward_m_per_s : 0.0});
+  poses.add(now_s(),
+            {pipeline.pose_estimate().T_map_robot, roll != nullptr ? roll->forward_m_per_s : 0.0});
   if (std::holds_alternative<exploration::EndScan>(motion)) {
-    scans.tell(now_s(), pipeline.snapshot().scans->size());
+    scans.add(now_s(), pipeline.snapshot().scans->size());
     has_new_scan = true;
   }
 }
@@ -322,7 +322,7 @@ Member* Team::next() {
   return first;
 }
 
-void Team::tell_places(Member& member) {
+void Team::set_peers(Member& member) {
   std::vector<world::Disc> others;
   for (const Member& other : members) {
     if (&other != &member) {
@@ -355,7 +355,7 @@ OfflineTeamRun Team::run() {
     if (run.covered_s || member->now_s() > settings.max_s) {
       break;
     }
-    tell_places(*member);
+    set_peers(*member);
     member->move_on();
     count_touches(run);
     if (std::exchange(member->has_new_scan, false)) {

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -30,7 +30,7 @@ std::vector<bool> from(int cell) {
 }
 
 /// b began 2 m ahead of a.
-std::vector<JudgedMap> two_maps() {
+std::vector<ScoredMap> two_maps() {
   return {{"a.0",
            Pose2(),
            0.02,
@@ -59,18 +59,18 @@ LoggedJoin join_of_b(double from_s, std::optional<double> until_s = std::nullopt
 }
 
 TEST(FleetCourse, FloorCountsOnceTheMapsThatHaveItAreOne) {
-  EXPECT_FALSE(judge_course(two_maps(), {member("a"), member("b")}).floor_90_s);
-  EXPECT_EQ(judge_course(two_maps(), {member("a"), member("b")}).floor_seen, 0.6);
-  const auto early = judge_course(two_maps(), {member("a", {join_of_b(15.0)}), member("b")});
+  EXPECT_FALSE(score_course(two_maps(), {member("a"), member("b")}).floor_90_s);
+  EXPECT_EQ(score_course(two_maps(), {member("a"), member("b")}).floor_seen, 0.6);
+  const auto early = score_course(two_maps(), {member("a", {join_of_b(15.0)}), member("b")});
   EXPECT_EQ(early.joined_s, 15.0);
   EXPECT_EQ(early.floor_90_s, 25.0) << "four tenths and the five of b";
   EXPECT_EQ(early.floor_seen, 1.0);
-  const auto late = judge_course(two_maps(), {member("a", {join_of_b(40.0)}), member("b")});
+  const auto late = score_course(two_maps(), {member("a", {join_of_b(40.0)}), member("b")});
   EXPECT_EQ(late.floor_90_s, 40.0) << "the join is what shows it";
 }
 
 TEST(FleetCourse, AJoinThatWasUndoneCountsWhileItHeld) {
-  const auto course = judge_course(two_maps(), {member("a", {join_of_b(11.0, 13.0)}), member("b")});
+  const auto course = score_course(two_maps(), {member("a", {join_of_b(11.0, 13.0)}), member("b")});
   EXPECT_FALSE(course.joined_s);
   EXPECT_FALSE(course.floor_90_s);
   EXPECT_EQ(course.floor_seen, 0.6);
@@ -81,7 +81,7 @@ TEST(FleetCourse, TheLastMemberThatIsJoinedIsWhenAllAre) {
   maps.push_back({"c.0", Pose2(), 0.0, {0.0, 0.0}, {0.0, 0.0}, {5.0}, {below(1)}});
   const LoggedJoin c{"a.0", "c.0", 50.0, std::nullopt, Pose2()};
   const auto of = [&](const std::vector<LoggedJoin>& joins) {
-    return judge_course(maps, {member("a", joins), member("b"), member("c")}).joined_s;
+    return score_course(maps, {member("a", joins), member("b"), member("c")}).joined_s;
   };
   EXPECT_FALSE(of({join_of_b(15.0)}));
   EXPECT_EQ(of({join_of_b(15.0), c}), 50.0);
@@ -90,7 +90,7 @@ TEST(FleetCourse, TheLastMemberThatIsJoinedIsWhenAllAre) {
 TEST(FleetCourse, AMapThatCameLaterIsJoinedByItself) {
   auto maps = two_maps();
   maps.push_back({"b.1", Pose2(), 0.0, {0.0, 0.0}, {0.0, 0.0}, {35.0}, {below(1)}});
-  EXPECT_FALSE(judge_course(maps, {member("a", {join_of_b(15.0)}), member("b")}).joined_s);
+  EXPECT_FALSE(score_course(maps, {member("a", {join_of_b(15.0)}), member("b")}).joined_s);
 }
 
 TEST(FleetCourse, JoinsThatPlaceAMapElsewhereAreWrong) {
@@ -99,7 +99,7 @@ TEST(FleetCourse, JoinsThatPlaceAMapElsewhereAreWrong) {
   LoggedJoin turned = join_of_b(22.0);
   turned.T_own_peer = Pose2(2.0, 0.0, 0.4);
   const auto course =
-      judge_course(two_maps(), {member("a", {off, turned}), member("b", {join_of_b(30.0)})});
+      score_course(two_maps(), {member("a", {off, turned}), member("b", {join_of_b(30.0)})});
   EXPECT_EQ(course.wrong_joins, 2U);
   EXPECT_EQ(course.wrong_joins_left, 1U);
 }
@@ -116,7 +116,7 @@ TEST(FleetCourse, ARelativePoseIsOffByWhereItPutsThePeersLastStop) {
 /// A robot of which the truth knows where each stop ended.
 struct KnownRobot {
   team_map::RobotRecord record =
-      tests::told_record("a.0", tests::room_of_posts(), tests::one_round_m(), 0.3);
+      tests::ideal_record("a.0", tests::room_of_posts(), tests::one_round_m(), 0.3);
   Pose2 T_world_map{1.0, 2.0, 0.5};
   std::vector<evaluation::TruePose> truth;
 
@@ -133,18 +133,18 @@ TEST(FleetCourse, AMapLiesWhereAllItsStopsAreNearestToTheTruth) {
   const std::vector<Eigen::Vector2d> floor_m{
       robot.T_world_map * (robot.record.T_map_submaps.back() * Eigen::Vector2d(0.02, 0.0)),
       {50.0, 50.0}};
-  const auto judged = judge_map(robot.record, robot.truth, floor_m);
-  ASSERT_TRUE(judged);
+  const auto scored = score_map(robot.record, robot.truth, floor_m);
+  ASSERT_TRUE(scored);
   EXPECT_NEAR(
-      (judged->T_world_map.position_m() - robot.T_world_map.position_m()).norm(), 0.0, 1e-6);
-  EXPECT_NEAR(judged->T_world_map.heading_rad(), 0.5, 1e-6);
-  EXPECT_NEAR(judged->own_error_m, 0.0, 1e-6);
-  ASSERT_EQ(judged->seen.size(), robot.record.submaps.size());
-  EXPECT_EQ(judged->seen.back(), std::vector<bool>({true, false}));
-  EXPECT_EQ(judged->last_m, robot.record.T_map_submaps.back().position_m());
-  EXPECT_EQ(judged->stop_s.back(), robot.record.submaps.back().end_s);
-  EXPECT_FALSE(judge_map(robot.record, {}, floor_m)) << "no truth";
-  EXPECT_FALSE(judge_map({}, robot.truth, floor_m)) << "no stop";
+      (scored->T_world_map.position_m() - robot.T_world_map.position_m()).norm(), 0.0, 1e-6);
+  EXPECT_NEAR(scored->T_world_map.heading_rad(), 0.5, 1e-6);
+  EXPECT_NEAR(scored->own_error_m, 0.0, 1e-6);
+  ASSERT_EQ(scored->seen.size(), robot.record.submaps.size());
+  EXPECT_EQ(scored->seen.back(), std::vector<bool>({true, false}));
+  EXPECT_EQ(scored->last_m, robot.record.T_map_submaps.back().position_m());
+  EXPECT_EQ(scored->stop_s.back(), robot.record.submaps.back().end_s);
+  EXPECT_FALSE(score_map(robot.record, {}, floor_m)) << "no truth";
+  EXPECT_FALSE(score_map({}, robot.truth, floor_m)) << "no stop";
 }
 
 /// A first stop that is turned by 10 degrees on the map turns the frame, but not the map.
@@ -152,9 +152,9 @@ TEST(FleetCourse, TheFirstStopAloneDoesNotPlaceAMap) {
   KnownRobot robot;
   Pose2& first = robot.record.T_map_submaps.front();
   first = Pose2(first.x_m(), first.y_m(), first.heading_rad() + 0.17);
-  const auto judged = judge_map(robot.record, robot.truth, {});
-  ASSERT_TRUE(judged);
-  EXPECT_NEAR(judged->T_world_map.heading_rad(), 0.5, 1e-6);
+  const auto scored = score_map(robot.record, robot.truth, {});
+  ASSERT_TRUE(scored);
+  EXPECT_NEAR(scored->T_world_map.heading_rad(), 0.5, 1e-6);
 }
 
 }  // namespace

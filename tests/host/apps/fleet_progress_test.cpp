@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -28,11 +28,11 @@ class FleetProgressTest : public testing::Test {
         robot_with(
             "a",
             tests::first_stops(
-                tests::told_record("a", tests::room_of_posts(), tests::one_round_m(), 0.0), 1)),
+                tests::ideal_record("a", tests::room_of_posts(), tests::one_round_m(), 0.0), 1)),
         robot_with(
             "b",
             tests::first_stops(
-                tests::told_record("b", tests::room_of_posts(), tests::other_round_m(), 1.0), 3))};
+                tests::ideal_record("b", tests::room_of_posts(), tests::other_round_m(), 1.0), 3))};
     state.revision = 1;
   }
 
@@ -45,7 +45,7 @@ TEST_F(FleetProgressTest, CountsStopsAndWhoIsOnTheMap) {
   const FleetProgress apart = progress_of(state, picture, "a.0");
   EXPECT_EQ(apart.line, "a 1 stop, b 3, 1 of 2 on one map, in 1:00");
   EXPECT_EQ(apart.elapsed_s, 60.0);
-  picture.tell("a.0", "b.0", {geometry::Pose2(2.0, 1.0, 1.0), 0.1, 0.02});
+  picture.set_known_pose("a.0", "b.0", {geometry::Pose2(2.0, 1.0, 1.0), 0.1, 0.02});
   state.revision = 2;
   picture.take(state);
   EXPECT_EQ(progress_of(state, picture, "a.0").line, "a 1 stop, b 3, 2 of 2 on one map, in 1:00");

@@ -28,7 +28,7 @@ class MemberProcessesTest : public testing::Test {
     for (const std::string& name : names) {
       fleet::FleetRobot robot;
       robot.name = name;
-      robot.is_heard = true;
+      robot.has_reported = true;
       state.robots.push_back(robot);
     }
     return state;

@@ -7,17 +7,17 @@
 #include <nlohmann/json.hpp>
 
 #include "host/files/atomic_file.hpp"
+#include "tests/support/ideal_robot.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tests/support/told_robot.hpp"
 
 namespace echomap::apps {
 namespace {
 
 fleet_member::JoinLog log_of_a_join() {
   team_map::TeamMap team;
-  team.take(tests::told_record("a.0", tests::room_of_posts(), tests::one_round_m(), 0.0));
-  team.take(tests::told_record("b.0", tests::room_of_posts(), tests::other_round_m(), 1.0));
-  team.tell({"a.0", "b.0", {geometry::Pose2(2.0, 1.0, 1.0), 0.1, 0.02}});
+  team.take(tests::ideal_record("a.0", tests::room_of_posts(), tests::one_round_m(), 0.0));
+  team.take(tests::ideal_record("b.0", tests::room_of_posts(), tests::other_round_m(), 1.0));
+  team.set_known_pose({"a.0", "b.0", {geometry::Pose2(2.0, 1.0, 1.0), 0.1, 0.02}});
   team.update();
   fleet_member::JoinLog log;
   log.look(12.5, "a.0", team);

@@ -20,7 +20,7 @@ std::size_t refused(const FleetExchange& exchange, RefusedReason reason) {
   return exchange.statistics().received.refused[static_cast<std::size_t>(reason)];
 }
 
-TEST(FleetExchange, TellsAllOthersWhatARobotHasMade) {
+TEST(FleetExchange, PublishesToAllOthersWhatARobotHasMade) {
   FleetOfRobots fleet;
   for (const char* name : {"r1", "r2", "r3"}) {
     fleet.add(name);
@@ -62,7 +62,7 @@ TEST(FleetExchange, GivesTheRobotItselfWhatAllOthersHave) {
   EXPECT_EQ(of_other->T_map_submaps[0].x_m(), 0.123);
 }
 
-TEST(FleetExchange, TellsPoseClaimsSourceReadingsSearchAndAlignment) {
+TEST(FleetExchange, PublishesPoseClaimsSourceReadingsSearchAndAlignment) {
   FleetOfRobots fleet;
   FleetExchange& r1 = fleet.add("r1");
   FleetExchange& r2 = fleet.add("r2");
@@ -77,21 +77,21 @@ TEST(FleetExchange, TellsPoseClaimsSourceReadingsSearchAndAlignment) {
                              0.0,
                              {{{3.0, 4.0}, 2.0}}}));
   fleet.run(5.0);
-  const FleetRobot told = robot_in(r2.state(), "r1");
-  ASSERT_TRUE(told.pose);
-  EXPECT_NEAR(told.pose->estimate.T_map_robot.y_m(), 2.0, 1e-9);
-  EXPECT_NEAR(told.pose->stamp_s, 17.5, 1e-9);
-  EXPECT_NEAR(told.pose->age_s, 4.8, 0.3);
-  ASSERT_EQ(told.claims.size(), 1U);
-  EXPECT_NEAR(told.claims[0].at_m.x(), 3.0, 1e-9);
-  ASSERT_EQ(told.alignment.size(), 2U);
-  ASSERT_EQ(told.maps.size(), 1U);
-  ASSERT_EQ(told.maps[0].source_batches->size(), 1U);
-  EXPECT_EQ(told.maps[0].source_batches->at(0).readings[0].value, 12.0);
+  const FleetRobot received = robot_in(r2.state(), "r1");
+  ASSERT_TRUE(received.pose);
+  EXPECT_NEAR(received.pose->estimate.T_map_robot.y_m(), 2.0, 1e-9);
+  EXPECT_NEAR(received.pose->stamp_s, 17.5, 1e-9);
+  EXPECT_NEAR(received.pose->age_s, 4.8, 0.3);
+  ASSERT_EQ(received.claims.size(), 1U);
+  EXPECT_NEAR(received.claims[0].at_m.x(), 3.0, 1e-9);
+  ASSERT_EQ(received.alignment.size(), 2U);
+  ASSERT_EQ(received.maps.size(), 1U);
+  ASSERT_EQ(received.maps[0].source_batches->size(), 1U);
+  EXPECT_EQ(received.maps[0].source_batches->at(0).readings[0].value, 12.0);
   EXPECT_EQ(robot_in(r1.state(), "r1").claims.size(), 1U) << "it knows of itself";
-  ASSERT_TRUE(told.search);
-  EXPECT_EQ(told.search->verdict, source_search::SourceVerdict::kNone);
-  EXPECT_EQ(told.search->plan.size(), 1U);
+  ASSERT_TRUE(received.search);
+  EXPECT_EQ(received.search->verdict, source_search::SourceVerdict::kNone);
+  EXPECT_EQ(received.search->plan.size(), 1U);
   EXPECT_FALSE(robot_in(r1.state(), "r2").search) << "it does not search";
   r1.leave();
   fleet.run(2.0);
@@ -201,7 +201,7 @@ TEST(FleetExchange, DoesNotPublishAgainWhatTheBrokerHas) {
   EXPECT_EQ(fleet["r1"].statistics().sent.published_again, 0U);
 }
 
-TEST(FleetExchange, PassesOnWhatARobotHasToldThatIsGone) {
+TEST(FleetExchange, RelaysWhatARobotHasPublishedThatIsGone) {
   FleetOfRobots fleet;
   for (const char* name : {"r1", "r2", "r3"}) {
     fleet.add(name);
@@ -249,7 +249,7 @@ TEST(FleetExchange, TakesBackWhatItPassedOnWhenTheAuthorIsBack) {
   EXPECT_TRUE(fleet.is_same(1));
 }
 
-TEST(FleetExchange, AsksForWhatDidNotCome) {
+TEST(FleetExchange, RequestsWhatDidNotCome) {
   tests::MemoryBrokerParams lossy;
   lossy.loss_share = 0.3;
   FleetOfRobots bad(lossy);
@@ -261,7 +261,7 @@ TEST(FleetExchange, AsksForWhatDidNotCome) {
     bad.run(20.0);
   }
   EXPECT_TRUE(bad.run_until_same(300.0, 40));
-  EXPECT_GT(bad["r1"].statistics().asks + bad["r2"].statistics().asks, 0U);
+  EXPECT_GT(bad["r1"].statistics().requests + bad["r2"].statistics().requests, 0U);
 }
 
 TEST(FleetExchange, StaysBelowItsBudget) {
@@ -325,7 +325,7 @@ TEST(FleetExchange, RefusesAndCountsWhatIsNotRight) {
   EXPECT_NEAR(robot_in(r1.state(), "r2").claims.at(0).at_m.x(), 3.0, 1e-9) << "none was taken in";
 }
 
-TEST(FleetExchange, BelievesNoRelayOfARobotThatIsHere) {
+TEST(FleetExchange, AcceptsNoRelayOfARobotThatIsHere) {
   FleetOfRobots fleet;
   FleetExchange& r1 = fleet.add("r1");
   fleet.add("r2");
@@ -366,13 +366,13 @@ TEST(FleetExchange, IsTheSourceAgainAfterARestartWithItsFolder) {
   fleet.stop_once("r1");
   fleet.add("late");
   EXPECT_TRUE(fleet.run_until_same(60.0, 5));
-  const FleetRobot told = robot_in(fleet["late"].state(), "r1");
-  ASSERT_EQ(told.maps.size(), 2U);
-  EXPECT_EQ(told.maps[0].record->submaps.size(), 4U);
-  EXPECT_EQ(told.maps[1].record->submaps.size(), 1U);
+  const FleetRobot received = robot_in(fleet["late"].state(), "r1");
+  ASSERT_EQ(received.maps.size(), 2U);
+  EXPECT_EQ(received.maps[0].record->submaps.size(), 4U);
+  EXPECT_EQ(received.maps[1].record->submaps.size(), 1U);
 }
 
-TEST(FleetExchange, IsHeardThoughItsClockWasSetBack) {
+TEST(FleetExchange, IsReceivedThoughItsClockWasSetBack) {
   FleetOfRobots fleet;
   const FleetExchange& other = fleet.add("r2");
   fleet.add(FleetOfRobots::params_of("r1", 5000));
@@ -384,10 +384,10 @@ TEST(FleetExchange, IsHeardThoughItsClockWasSetBack) {
   fleet.stop_once("r1");
   fleet.run(20.0);
   EXPECT_EQ(refused(other, RefusedReason::kOldBoot), 0U);
-  const FleetRobot told = robot_in(other.state(), "r1");
-  EXPECT_EQ(told.attendance, Attendance::kAlive);
-  ASSERT_EQ(told.maps.size(), 2U);
-  EXPECT_EQ(told.maps[1].record->submaps.size(), 1U);
+  const FleetRobot received = robot_in(other.state(), "r1");
+  EXPECT_EQ(received.attendance, Attendance::kAlive);
+  ASSERT_EQ(received.maps.size(), 2U);
+  EXPECT_EQ(received.maps[1].record->submaps.size(), 1U);
 }
 
 TEST(FleetExchange, IsTheSourceAgainOfWhatTheBrokerHasKept) {
@@ -415,11 +415,11 @@ TEST(FleetExchange, BeginsAnotherMapForARobotThatWasCarried) {
   fleet.robot("r1").T_map_submaps.clear();
   fleet.stop_once("r1");
   EXPECT_TRUE(fleet.run_until_same(30.0, 2));
-  const FleetRobot told = robot_in(fleet["r2"].state(), "r1");
-  EXPECT_EQ(told.map_number, 1);
-  ASSERT_EQ(told.maps.size(), 2U);
-  EXPECT_EQ(told.maps[0].record->submaps.size(), 1U);
-  EXPECT_EQ(told.maps[1].record->submaps.size(), 1U);
+  const FleetRobot received = robot_in(fleet["r2"].state(), "r1");
+  EXPECT_EQ(received.map_number, 1);
+  ASSERT_EQ(received.maps.size(), 2U);
+  EXPECT_EQ(received.maps[0].record->submaps.size(), 1U);
+  EXPECT_EQ(received.maps[1].record->submaps.size(), 1U);
 }
 
 TEST(FleetExchange, RefusesWhatDoesNotFit) {
@@ -435,7 +435,7 @@ TEST(FleetExchange, RefusesWhatDoesNotFit) {
   EXPECT_EQ(r1.state().objects, 0U);
 }
 
-TEST(LastWill, IsAPresenceThatSaysGone) {
+TEST(LastWill, IsAPresenceWithTheStateGone) {
   const mqtt::LastWill will = last_will(FleetOfRobots::params_of("r1", 7));
   EXPECT_EQ(will.topic, "echomap/1/hall/r1/presence");
   EXPECT_TRUE(will.retain);

@@ -122,7 +122,7 @@ TEST_F(FleetKnowledgeTest, AcceptsRelaysOfRobotsThatAreNotHere) {
   EXPECT_TRUE(has(forged)) << "r2 itself has said that it made it";
 }
 
-TEST_F(FleetKnowledgeTest, BelievesAnAuthorThatIsBackWhateverARelayHadOfIt) {
+TEST_F(FleetKnowledgeTest, AcceptsAnAuthorThatIsBackWhateverARelayHadOfIt) {
   FleetMessage forged;
   forged.sender = {"r2", 0xFFFFFFFF, 0xFFFFFFFF};
   forged.body = ClaimMessage{0, {{1, 2, 3, 4}}};
@@ -173,7 +173,7 @@ TEST_F(FleetKnowledgeTest, RefusesRobotsThatAFleetHasNoRoomFor) {
   EXPECT_EQ(refused(RefusedReason::kOverQuota), 1U);
 }
 
-TEST_F(FleetKnowledgeTest, NoticesWhatALatePresenceSaysIsMissing) {
+TEST_F(FleetKnowledgeTest, NoticesWhatALatePresenceShowsIsMissing) {
   const mqtt::Message claim = message_by("r2", ClaimMessage{0, {{1, 2, 3, 4}}}, 1);
   fleet_messages::PresenceMessage presence;
   presence.latest_set = fleet_messages::set_hash({fleet_messages::content_hash(claim.payload)});
@@ -186,17 +186,17 @@ TEST_F(FleetKnowledgeTest, NoticesWhatALatePresenceSaysIsMissing) {
 
 TEST_F(FleetKnowledgeTest, HandsOverQuestionsAndWhatIsFoundOfItsOwn) {
   knowledge_.take(message_by("r2", fleet_messages::AskMessage{"r1", 1, {}}, 1), 1.0);
-  const auto asks = knowledge_.take_asks();
-  ASSERT_EQ(asks.size(), 1U);
-  EXPECT_EQ(asks[0].from, "r2");
-  EXPECT_TRUE(knowledge_.take_asks().empty());
+  const auto requests = knowledge_.take_requests();
+  ASSERT_EQ(requests.size(), 1U);
+  EXPECT_EQ(requests[0].from, "r2");
+  EXPECT_TRUE(knowledge_.take_requests().empty());
   mqtt::Message own = submap_by("r1");
   own.is_retained = true;
   knowledge_.take(own, 1.0);
   ASSERT_EQ(knowledge_.take_found_own().size(), 1U);
 }
 
-TEST_F(FleetKnowledgeTest, IgnoresTopicsThatTheBrokerWasToldToForget) {
+TEST_F(FleetKnowledgeTest, IgnoresRetainedTopicsThatWereDeleted) {
   knowledge_.take({"echomap/1/hall/r2/relay/00", "", false}, 1.0);
   EXPECT_EQ(refused(RefusedReason::kWrongTopic), 0U);
 }

@@ -20,12 +20,12 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A robot that decides by what it has heard, in rounds of half a second.
+/// A robot that decides by what it has received, in rounds of half a second.
 struct RoundsRobot {
   std::unique_ptr<tests::MemoryBus> bus;
   std::unique_ptr<FleetRounds> rounds;
   std::unique_ptr<FleetExchange> exchange;
-  std::vector<std::string> heard;  ///< What it knew after each round.
+  std::vector<std::string> received;  ///< What it knew after each round.
   std::uint32_t submaps = 0;
   bool has_ended = false;
 };
@@ -89,7 +89,7 @@ class RoundsFleet {
     }
     robot.has_ended = !robot.rounds->poll(now_s_);
   }
-  /// A claim that depends on all that was heard, and now and then a submap.
+  /// A claim that depends on all that was received, and now and then a submap.
   static void act(const std::string& name, RoundsRobot& robot) {
     robot.exchange->update(0.5 * robot.rounds->round());
     const FleetState state = robot.exchange->state();
@@ -101,7 +101,7 @@ class RoundsFleet {
         known += " " + other.name + " " + std::to_string(claim.at_m.x());
       }
     }
-    robot.heard.push_back(known);
+    robot.received.push_back(known);
     robot.exchange->set_claims({{name, {std::fmod(1.0 + 1.7 * sum, 10.0), 0.0}, 1.0, 1.0}});
     if (robot.rounds->round() % 7 == static_cast<std::uint32_t>(name.back() - '0')) {
       std::mt19937 random(robot.submaps);
@@ -129,12 +129,12 @@ TEST(FleetRounds, MakeARunAFunctionOfItsSeed) {
     RoundsFleet fleet(delays(seed));
     ASSERT_TRUE(fleet.run(60));
     for (auto& [name, robot] : fleet.robots()) {
-      ASSERT_EQ(robot.heard.size(), 59U);
+      ASSERT_EQ(robot.received.size(), 59U);
       if (seed == 1) {
-        first[name] = robot.heard;
-        EXPECT_NE(robot.heard.front(), robot.heard.back());
+        first[name] = robot.received;
+        EXPECT_NE(robot.received.front(), robot.received.back());
       }
-      EXPECT_EQ(robot.heard, first[name]) << name << ", seed " << seed;
+      EXPECT_EQ(robot.received, first[name]) << name << ", seed " << seed;
     }
   }
 }

@@ -32,39 +32,39 @@ class MissingWatchTest : public testing::Test {
   std::uint32_t counter_ = 0;
 };
 
-TEST_F(MissingWatchTest, AsksAfterAWhileForWhatWasPromised) {
+TEST_F(MissingWatchTest, RequestsAfterAWhileWhatWasPromised) {
   say(fleet_messages::ManifestMessage{0, {content_hash("a"), content_hash("b")}});
   EXPECT_FALSE(watch_.next(knowledge_, 0.0));
   EXPECT_FALSE(watch_.next(knowledge_, 7.0)) << "it may be on its way";
-  const auto ask = watch_.next(knowledge_, 9.0);
-  ASSERT_TRUE(ask);
-  EXPECT_EQ(ask->robot, "r2");
-  EXPECT_EQ(ask->objects.size(), 2U);
-  EXPECT_EQ(ask->everything_else, 0);
+  const auto request = watch_.next(knowledge_, 9.0);
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->robot, "r2");
+  EXPECT_EQ(request->objects.size(), 2U);
+  EXPECT_EQ(request->everything_else, 0);
 }
 
-TEST_F(MissingWatchTest, AsksLessAndLessOftenInVain) {
+TEST_F(MissingWatchTest, RequestsLessAndLessOftenWithoutAnAnswer) {
   say(fleet_messages::ManifestMessage{0, {content_hash("a")}});
-  int asks = 0;
+  int requests = 0;
   for (int second = 0; second < 1000; ++second) {
-    asks += watch_.next(knowledge_, second) ? 1 : 0;
+    requests += watch_.next(knowledge_, second) ? 1 : 0;
   }
-  EXPECT_GE(asks, 6);
-  EXPECT_LE(asks, 12);
+  EXPECT_GE(requests, 6);
+  EXPECT_LE(requests, 12);
 }
 
-TEST_F(MissingWatchTest, AsksForManifestAndGraphsWhereThePresenceSaysMore) {
+TEST_F(MissingWatchTest, RequestsManifestAndGraphsWhereThePresenceAnnouncesMore) {
   fleet_messages::PresenceMessage presence;
   presence.own_objects = 3;
   presence.latest_set = fleet_messages::set_hash({});
   say(presence);
   watch_.next(knowledge_, 0.0);
-  const auto ask = watch_.next(knowledge_, 9.0);
-  ASSERT_TRUE(ask);
-  EXPECT_EQ(ask->everything_else, 1);
+  const auto request = watch_.next(knowledge_, 9.0);
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->everything_else, 1);
 }
 
-TEST_F(MissingWatchTest, AsksForNothingWhereNothingIsMissing) {
+TEST_F(MissingWatchTest, RequestsNothingWhereNothingIsMissing) {
   fleet_messages::PresenceMessage presence;
   presence.latest_set = fleet_messages::set_hash({});
   say(presence);
@@ -72,7 +72,7 @@ TEST_F(MissingWatchTest, AsksForNothingWhereNothingIsMissing) {
   EXPECT_FALSE(watch_.next(knowledge_, 100.0));
 }
 
-TEST_F(MissingWatchTest, AsksForAPageAtATime) {
+TEST_F(MissingWatchTest, RequestsAPageAtATime) {
   for (std::uint16_t page = 0; page < 3; ++page) {
     std::vector<fleet_messages::ContentHash> objects;
     for (int i = 0; i < 32; ++i) {
@@ -81,9 +81,9 @@ TEST_F(MissingWatchTest, AsksForAPageAtATime) {
     say(fleet_messages::ManifestMessage{page, objects});
   }
   watch_.next(knowledge_, 0.0);
-  const auto ask = watch_.next(knowledge_, 9.0);
-  ASSERT_TRUE(ask);
-  EXPECT_EQ(ask->objects.size(), 32U);
+  const auto request = watch_.next(knowledge_, 9.0);
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->objects.size(), 32U);
 }
 
 }  // namespace

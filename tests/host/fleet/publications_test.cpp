@@ -119,7 +119,7 @@ TEST_F(PublicationsTest, LetsAPoseOvertakeObjects) {
   EXPECT_EQ(bus_.topics[sent], "pose");
 }
 
-TEST_F(PublicationsTest, SendsAgainWhatWasNotHeardBack) {
+TEST_F(PublicationsTest, SendsAgainWhatDidNotComeBack) {
   const std::string confirmed = put_object("one");
   put_object("other");
   send(0.0);
@@ -149,7 +149,7 @@ TEST_F(PublicationsTest, SendsAgainWhatANewConnectionDoesNotGive) {
   EXPECT_THAT(bus_.payloads, ElementsAre("one", "other", "one"));
 }
 
-TEST_F(PublicationsTest, StopsWaitingWhenItIsHeardAfterAll) {
+TEST_F(PublicationsTest, StopsWaitingWhenItComesBackAfterAll) {
   const std::string topic = put_object("one");
   send(0.0);
   publications_.compare(30.0);

@@ -11,7 +11,7 @@
 namespace echomap::fleet {
 namespace {
 
-/// r2, which has heard a submap of r3 and knows r1.
+/// r2, which has received a submap of r3 and knows r1.
 class RelaysTest : public testing::Test {
  protected:
   RelaysTest() {
@@ -39,9 +39,9 @@ class RelaysTest : public testing::Test {
   std::string submap_;
 };
 
-TEST_F(RelaysTest, PassOnWhatIsAskedForOfARobotThatIsGone) {
-  fleet_messages::AskMessage ask{"r3", 0, {fleet_messages::content_hash(submap_)}};
-  relays_.note({"late", ask}, knowledge_, 20.0);
+TEST_F(RelaysTest, RelayWhatIsRequestedOfARobotThatIsGone) {
+  fleet_messages::AskMessage request{"r3", 0, {fleet_messages::content_hash(submap_)}};
+  relays_.note({"late", request}, knowledge_, 20.0);
   update(20.0);
   EXPECT_EQ(relays_.count(), 1U);
   EXPECT_EQ(publications_.waiting(), 1U);
@@ -50,16 +50,16 @@ TEST_F(RelaysTest, PassOnWhatIsAskedForOfARobotThatIsGone) {
 }
 
 TEST_F(RelaysTest, LeaveAliveRobotsToThemselves) {
-  fleet_messages::AskMessage ask{"r3", 0, {fleet_messages::content_hash(submap_)}};
-  relays_.note({"late", ask}, knowledge_, 5.0);
+  fleet_messages::AskMessage request{"r3", 0, {fleet_messages::content_hash(submap_)}};
+  relays_.note({"late", request}, knowledge_, 5.0);
   update(5.0);
   EXPECT_EQ(relays_.count(), 0U);
 }
 
 TEST_F(RelaysTest, WaitForThoseThatComeBefore) {
   say("r1", fleet_messages::PresenceMessage{}, 19.0);
-  fleet_messages::AskMessage ask{"r3", 0, {fleet_messages::content_hash(submap_)}};
-  relays_.note({"late", ask}, knowledge_, 20.0);
+  fleet_messages::AskMessage request{"r3", 0, {fleet_messages::content_hash(submap_)}};
+  relays_.note({"late", request}, knowledge_, 20.0);
   update(22.0);
   EXPECT_EQ(relays_.count(), 0U) << "r1 may have it";
   update(24.0);

@@ -14,7 +14,7 @@ TEST(ReplayGuard, TakesWhatIsLaterOnItsTopic) {
   EXPECT_EQ(guard.boot_id("r1"), 1U);
 }
 
-TEST(ReplayGuard, TellsADuplicateFromAReplay) {
+TEST(ReplayGuard, DistinguishesADuplicateFromAReplay) {
   ReplayGuard guard;
   guard.take("claim", {"r1", 1, 5}, false);
   guard.take("claim", {"r1", 1, 6}, false);

@@ -28,15 +28,15 @@ class RobotKnowledgeTest : public testing::Test {
         {},
         0.0);
   }
-  void tell_pose(const geometry::Pose2& T_map_robot,
-                 std::uint64_t stamp_ms,
-                 double heard_s,
-                 std::uint16_t map_number = 0) {
+  void publish_pose(const geometry::Pose2& T_map_robot,
+                    std::uint64_t stamp_ms,
+                    double received_s,
+                    std::uint16_t map_number = 0) {
     fleet_messages::PoseMessage message =
         fleet_messages::to_message(fleet_messages::PoseEstimate{T_map_robot}, 0.0, map_number)
             .value();
     message.stamp_ms = stamp_ms;
-    knowledge_.take(message, {}, heard_s);
+    knowledge_.take(message, {}, received_s);
   }
   FleetRobot state() const { return knowledge_.state(1.0, kGoneAfterS); }
   std::size_t shown_submaps() const { return state().maps.at(0).record->submaps.size(); }
@@ -80,26 +80,26 @@ TEST_F(RobotKnowledgeTest, MakesARecordOnlyWhereSomethingHasChanged) {
 }
 
 TEST_F(RobotKnowledgeTest, DrivesAsFastAsFromItsLastPoseToThisOne) {
-  tell_pose({1.0, 0.0, M_PI / 2.0}, 1000, 0.2);
+  publish_pose({1.0, 0.0, M_PI / 2.0}, 1000, 0.2);
   EXPECT_EQ(state().pose->speed_m_per_s, 0.0) << "one pose says nothing of it";
-  tell_pose({1.0, -0.3, M_PI / 2.0}, 2500, 0.5);
+  publish_pose({1.0, -0.3, M_PI / 2.0}, 2500, 0.5);
   EXPECT_NEAR(state().pose->speed_m_per_s, -0.2, 1e-3) << "backwards";
   EXPECT_EQ(knowledge_.state(4.0, kGoneAfterS).pose->speed_m_per_s, 0.0)
       << "it would have told where it drives";
-  tell_pose({1.0, 0.7, M_PI / 2.0}, 12500, 0.9);
+  publish_pose({1.0, 0.7, M_PI / 2.0}, 12500, 0.9);
   EXPECT_EQ(state().pose->speed_m_per_s, 0.0) << "nobody knows when it set out";
-  tell_pose({1.0, 0.9, M_PI / 2.0}, 13500, 0.95, 1);
+  publish_pose({1.0, 0.9, M_PI / 2.0}, 13500, 0.95, 1);
   EXPECT_EQ(state().pose->speed_m_per_s, 0.0) << "in another map";
 }
 
 TEST_F(RobotKnowledgeTest, IsGoneWithoutAMessageForAWhile) {
   EXPECT_EQ(knowledge_.attendance(0.0, kGoneAfterS), Attendance::kGone) << "never heard";
-  knowledge_.hear_of(10.0);
+  knowledge_.set_first_seen(10.0);
   EXPECT_EQ(knowledge_.attendance(20.0, kGoneAfterS), Attendance::kAlive);
   EXPECT_EQ(knowledge_.attendance(27.0, kGoneAfterS), Attendance::kGone);
-  knowledge_.hear_of(27.0);
+  knowledge_.set_first_seen(27.0);
   EXPECT_EQ(knowledge_.attendance(27.0, kGoneAfterS), Attendance::kGone) << "only kept";
-  knowledge_.hear(28.0);
+  knowledge_.set_last_seen(28.0);
   EXPECT_EQ(knowledge_.attendance(28.0, kGoneAfterS), Attendance::kAlive);
   knowledge_.lose();
   EXPECT_EQ(knowledge_.attendance(28.0, kGoneAfterS), Attendance::kGone);

@@ -3,19 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::fleet_member {
 namespace {
 
 using geometry::Pose2;
 
-/// Two maps of one room, of which it is told how they lie to each other.
+/// Two maps of one room, whose relative pose is known.
 team_map::TeamMap joined_team() {
   team_map::TeamMap team;
-  team.take(tests::told_record("a.0", tests::room_of_posts(), tests::one_round_m(), 0.0));
-  team.take(tests::told_record("b.0", tests::room_of_posts(), tests::other_round_m(), 1.0));
-  team.tell({"a.0", "b.0", {Pose2(2.0, 1.0, 1.0), 0.1, 0.02}});
+  team.take(tests::ideal_record("a.0", tests::room_of_posts(), tests::one_round_m(), 0.0));
+  team.take(tests::ideal_record("b.0", tests::room_of_posts(), tests::other_round_m(), 1.0));
+  team.set_known_pose({"a.0", "b.0", {Pose2(2.0, 1.0, 1.0), 0.1, 0.02}});
   team.update();
   return team;
 }

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::fleet_member {
 namespace {
@@ -23,7 +23,7 @@ fleet::FleetRobot reader(const std::string& name,
                          team_map::RobotRecord record,
                          const std::vector<fleet_messages::SourceBatch>& batches) {
   fleet::FleetRobot robot;
-  robot.is_heard = true;
+  robot.has_reported = true;
   robot.name = name;
   fleet::FleetMap map;
   map.record = std::make_shared<const team_map::RobotRecord>(std::move(record));
@@ -36,10 +36,10 @@ fleet::FleetRobot reader(const std::string& name,
 class SearchViewTest : public testing::Test {
  protected:
   SearchViewTest() {
-    const auto b = tests::told_record("b", tests::room_of_posts(), tests::other_round_m(), 1.0);
+    const auto b = tests::ideal_record("b", tests::room_of_posts(), tests::other_round_m(), 1.0);
     state.robots = {
         reader("a",
-               tests::told_record("a", tests::room_of_posts(), tests::one_round_m(), 0.0),
+               tests::ideal_record("a", tests::room_of_posts(), tests::one_round_m(), 0.0),
                {{0, {{1.0, {}, 5.0, 2.0}}}}),
         reader("b",
                b,
@@ -50,7 +50,7 @@ class SearchViewTest : public testing::Test {
     state.robots[1].search = report;
     state.revision = 1;
   }
-  void join() { picture.tell("a.0", "b.0", {T_a_b, 0.04, 0.02}); }
+  void join() { picture.set_known_pose("a.0", "b.0", {T_a_b, 0.04, 0.02}); }
   SearchView view() {
     picture.take(state);
     return search_view(state, picture, map_name("a", 0), "a", kPlaceStddevM);
@@ -77,7 +77,7 @@ TEST_F(SearchViewTest, HasReadingsAndPlansWhereTheyAreInOnesOwnMap) {
   EXPECT_EQ(seen.readings[0].reading.dwell_s, 1.5);
   const auto relative = picture.team().relative_pose("a.0", "b.0");
   ASSERT_TRUE(relative);
-  // The robot's odometry is its map: it is told without any error.
+  // The robot's odometry is its map: its record has no error.
   const Eigen::Vector2d at_m = relative->T_own_peer * Eigen::Vector2d(0.3, 0.1);
   EXPECT_NEAR((seen.readings[0].reading.at_m - at_m).norm(), 0.0, 0.02);
   EXPECT_NEAR(seen.readings[0].reading.position_stddev_m,
@@ -109,9 +109,9 @@ TEST_F(SearchViewTest, HasAFindingOfAnybody) {
   ASSERT_TRUE(view().finding);
   EXPECT_EQ(view().finding->robot, "b");
   EXPECT_FALSE(view().finding->at_m) << "who knows where its map lies";
-  state.robots[1].is_heard = false;
+  state.robots[1].has_reported = false;
   EXPECT_FALSE(view().finding) << "kept by the broker: of an earlier search";
-  state.robots[1].is_heard = true;
+  state.robots[1].has_reported = true;
   join();
   state.revision = 2;
   const auto finding = view().finding;

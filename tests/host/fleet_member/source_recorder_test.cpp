@@ -62,16 +62,16 @@ TEST_F(SourceRecorderTest, MakesReadingsInARowOneAndBatchesOfThem) {
   EXPECT_NEAR(first.dwell_s, 20 * (0.1 - 0.002), 1e-9) << "without the dead time of its pulses";
   EXPECT_FALSE(recorder.take()) << "each once";
 
-  double told = 0.0;
+  double recorded = 0.0;
   for (const auto& reading : batch->readings) {
-    told += reading.value;
+    recorded += reading.value;
   }
   const auto rest = recorder.take_rest();
   ASSERT_TRUE(rest) << "however short";
   for (const auto& reading : rest->readings) {
-    told += reading.value;
+    recorded += reading.value;
   }
-  EXPECT_EQ(told, 2.0 * 90);
+  EXPECT_EQ(recorded, 2.0 * 90);
   EXPECT_FALSE(recorder.take_rest());
 }
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::fleet_member {
 namespace {
@@ -35,19 +35,20 @@ class TeamPictureTest : public testing::Test {
  protected:
   TeamPictureTest() {
     state.robots = {
-        robot_with("a", tests::told_record("a", tests::room_of_posts(), tests::one_round_m(), 0.0)),
+        robot_with("a",
+                   tests::ideal_record("a", tests::room_of_posts(), tests::one_round_m(), 0.0)),
         robot_with("b",
-                   tests::told_record("b", tests::room_of_posts(), tests::other_round_m(), 1.0))};
+                   tests::ideal_record("b", tests::room_of_posts(), tests::other_round_m(), 1.0))};
     state.revision = 1;
   }
-  void tell_where_b_started() { picture.tell("a.0", "b.0", {T_a_b, 0.1, 0.02}); }
+  void set_where_b_started() { picture.set_known_pose("a.0", "b.0", {T_a_b, 0.1, 0.02}); }
 
   const Pose2 T_a_b = Pose2(2.0, 1.0, 1.0);
   fleet::FleetState state;
   TeamPicture picture;
 };
 
-TEST_F(TeamPictureTest, KnowsNobodyBeforeAnythingWasTold) {
+TEST_F(TeamPictureTest, KnowsNobodyBeforeAnythingWasReceived) {
   const auto view = picture.view({}, "a", 0);
   EXPECT_EQ(view.grid, nullptr);
   EXPECT_TRUE(view.peers.empty());
@@ -55,7 +56,7 @@ TEST_F(TeamPictureTest, KnowsNobodyBeforeAnythingWasTold) {
 
 TEST_F(TeamPictureTest, DoesNotPlaceAPeerThatIsKnownNoBetterThanToMetres) {
   picture.take(state);
-  tell_where_b_started();
+  set_where_b_started();
   state.revision = 2;
   picture.take(state);
   ASSERT_EQ(picture.peers(state, "a", 0).size(), 1U);
@@ -69,7 +70,7 @@ TEST_F(TeamPictureTest, TakesAStateOnce) {
 }
 
 TEST_F(TeamPictureTest, HasAPeerAndItsClaimWhereItsMapLiesInOnesOwn) {
-  tell_where_b_started();
+  set_where_b_started();
   picture.take(state);
   const auto view = picture.view(state, "a", 0);
   ASSERT_NE(view.grid, nullptr);
@@ -89,7 +90,7 @@ TEST_F(TeamPictureTest, HasAPeerAndItsClaimWhereItsMapLiesInOnesOwn) {
 }
 
 TEST_F(TeamPictureTest, OneThatHasLeftStandsWhereItSaidGoodByeAndOneThatIsGoneNowhere) {
-  tell_where_b_started();
+  set_where_b_started();
   state.robots[1].attendance = Attendance::kLeft;
   picture.take(state);
   ASSERT_EQ(picture.view(state, "a", 0).peers.size(), 1U);
@@ -102,7 +103,7 @@ TEST_F(TeamPictureTest, OneThatHasLeftStandsWhereItSaidGoodByeAndOneThatIsGoneNo
 }
 
 TEST_F(TeamPictureTest, KnowsWhereAPeerIsNowWithoutAnotherLookAtTheMaps) {
-  tell_where_b_started();
+  set_where_b_started();
   picture.take(state);
   const auto before = picture.peers(state, "a", 0);
   state.robots[1].pose->estimate.T_map_robot = Pose2(0.8, 0.25, 0.0);
@@ -115,7 +116,7 @@ TEST_F(TeamPictureTest, KnowsWhereAPeerIsNowWithoutAnotherLookAtTheMaps) {
 }
 
 TEST_F(TeamPictureTest, APoseOfAnEarlierMapIsNone) {
-  tell_where_b_started();
+  set_where_b_started();
   picture.take(state);
   state.robots[1].pose->map_number = 1;
   EXPECT_TRUE(picture.view(state, "a", 0).peers.empty());
@@ -131,14 +132,15 @@ TEST_F(TeamPictureTest, WhoLooksOnHasMapsJoinedThatRobotsHaveJoined) {
   EXPECT_EQ(picture.team().components().size(), 1U);
 }
 
-TEST_F(TeamPictureTest, TheFirstOfThoseJoinedTellsTheAlignment) {
-  tell_where_b_started();
+TEST_F(TeamPictureTest, TheFirstOfThoseJoinedPublishesTheAlignment) {
+  set_where_b_started();
   picture.take(state);
-  const auto told = picture.alignment("a", 0);
-  ASSERT_EQ(told.size(), 2U);
-  EXPECT_EQ(told[1].robot, "b");
-  EXPECT_EQ(told[1].map_number, 0);
-  EXPECT_EQ(told[1].T_component_submaps.size(), state.robots[1].maps[0].record->submaps.size());
+  const auto alignment = picture.alignment("a", 0);
+  ASSERT_EQ(alignment.size(), 2U);
+  EXPECT_EQ(alignment[1].robot, "b");
+  EXPECT_EQ(alignment[1].map_number, 0);
+  EXPECT_EQ(alignment[1].T_component_submaps.size(),
+            state.robots[1].maps[0].record->submaps.size());
   EXPECT_TRUE(picture.alignment("b", 0).empty());
 }
 

@@ -25,12 +25,12 @@ class ToldBoard final : public SearchBoard {
   team_exploration::TeamView view() override { return team; }
   void claim(const std::optional<team_exploration::Claim>& claim) override { claimed = claim; }
   SearchView search_view() const override { return others; }
-  void tell_search(const fleet_messages::SearchReport& report) override { told = report; }
+  void publish_search(const fleet_messages::SearchReport& report) override { published = report; }
 
   team_exploration::TeamView team;
   SearchView others;
   std::optional<team_exploration::Claim> claimed;
-  fleet_messages::SearchReport told;
+  fleet_messages::SearchReport published;
 };
 
 /// A robot in a room of 6 x 4 m, in a map that is whole.
@@ -68,25 +68,25 @@ class TeamSearcherTest : public testing::Test {
   ToldBoard board;
 };
 
-TEST_F(TeamSearcherTest, TellsWhatItIsAboutToReadAndWhereItGoes) {
+TEST_F(TeamSearcherTest, PublishesWhatItIsAboutToReadAndWhereItGoes) {
   auto robot = searcher();
   robot.next(snapshot, MotionResult::kReached);
-  EXPECT_EQ(board.told.verdict, SourceVerdict::kUndecided);
-  ASSERT_FALSE(board.told.plan.empty());
+  EXPECT_EQ(board.published.verdict, SourceVerdict::kUndecided);
+  ASSERT_FALSE(board.published.plan.empty());
   ASSERT_TRUE(board.claimed);
-  EXPECT_EQ(board.claimed->at_m, board.told.plan.back().at_m);
+  EXPECT_EQ(board.claimed->at_m, board.published.plan.back().at_m);
 }
 
-TEST_F(TeamSearcherTest, IsSureByWhatOthersHaveReadAndTellsThem) {
+TEST_F(TeamSearcherTest, IsSureByWhatOthersHaveReadAndPublishesIt) {
   read_by_others(18);
   auto robot = searcher();
   const Motion motion = robot.next(snapshot, MotionResult::kReached);
   ASSERT_TRUE(std::holds_alternative<Finished>(motion));
   EXPECT_EQ(std::get<Finished>(motion).reason, FinishReason::kComplete);
-  EXPECT_EQ(board.told.verdict, SourceVerdict::kFound);
-  EXPECT_LT((board.told.at_m - source_m).norm(), 0.2);
-  EXPECT_GE(board.told.probability, 0.95);
-  EXPECT_TRUE(board.told.plan.empty());
+  EXPECT_EQ(board.published.verdict, SourceVerdict::kFound);
+  EXPECT_LT((board.published.at_m - source_m).norm(), 0.2);
+  EXPECT_GE(board.published.probability, 0.95);
+  EXPECT_TRUE(board.published.plan.empty());
 }
 
 TEST_F(TeamSearcherTest, TakesEachReadingOfOthersOnce) {
@@ -107,7 +107,7 @@ TEST_F(TeamSearcherTest, EndsWhenAnotherOneIsSure) {
   board.others.finding = finding;
   const Motion motion = robot.next(snapshot, MotionResult::kReached);
   ASSERT_TRUE(std::holds_alternative<Finished>(motion));
-  EXPECT_EQ(board.told.verdict, SourceVerdict::kUndecided) << "it is the other one's finding";
+  EXPECT_EQ(board.published.verdict, SourceVerdict::kUndecided) << "it is the other one's finding";
 }
 
 TEST_F(TeamSearcherTest, RefusesNoTime) {

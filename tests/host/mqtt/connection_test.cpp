@@ -47,8 +47,8 @@ class ConnectionTest : public testing::Test {
   /// The reason why there is no connection, once there is one.
   static Reason reason_for(const ConnectionParams& params) {
     Connection connection(params);
-    std::vector<Message> heard;
-    tests::serve_until(connection, heard, [&] { return connection.reason() != Reason::kNone; });
+    std::vector<Message> received;
+    tests::serve_until(connection, received, [&] { return connection.reason() != Reason::kNone; });
     EXPECT_EQ(connection.connections(), 0U);
     EXPECT_FALSE(connection.is_connected());
     return connection.reason();
@@ -66,9 +66,9 @@ TEST_F(ConnectionTest, CarriesAnyBytesOfBothKindsInTheirOrder) {
   EXPECT_TRUE(robot->publish(topic("robot1/clock"), "last", Delivery::kAtLeastOnce, false));
   EXPECT_TRUE(robot.is_acknowledged());
 
-  const auto heard = hub.heard_until("last");
-  EXPECT_THAT(payloads(heard), ElementsAre(bytes, "", "last"));
-  EXPECT_EQ(heard.front().topic, topic("robot1/pose"));
+  const auto received = hub.heard_until("last");
+  EXPECT_THAT(payloads(received), ElementsAre(bytes, "", "last"));
+  EXPECT_EQ(received.front().topic, topic("robot1/pose"));
   EXPECT_EQ(robot->statistics().published, 3U);
   EXPECT_EQ(robot->statistics().acked, 2U);
   EXPECT_EQ(robot->statistics().published_bytes, 3 * topic("robot1/").size() + 4 + 4 + 5 + 5 + 4);
@@ -331,7 +331,7 @@ TEST_F(TlsConnectionTest, IsMadeToABrokerOfItsCaOnly) {
   EXPECT_EQ(reason_for(wrong), Reason::kTlsFailed);
 }
 
-TEST_F(TlsConnectionTest, APlainClientIsToldThatThePortMayWantTls) {
+TEST_F(TlsConnectionTest, APlainClientLearnsThatThePortMayWantTls) {
   ConnectionParams plain = safe_.params("robot1");
   plain.ca_file.clear();
   EXPECT_EQ(reason_for(plain), Reason::kClosedUnanswered);

@@ -41,12 +41,12 @@ TEST_F(InformationGainTest, EndsWhereAllIsKnown) {
   EXPECT_NEAR(after({{{1.2, 1.5}, 1000.0}, {{4.8, 1.5}, 1000.0}}), 0.0, 1e-3);
 }
 
-TEST_F(InformationGainTest, LongerDwellsTellMore) {
+TEST_F(InformationGainTest, LongerDwellsGainMore) {
   EXPECT_GT(after({{{1.5, 1.5}, 2.0}}), after({{{1.5, 1.5}, 1.0}}));
   EXPECT_GT(after({{{1.5, 1.5}, 1.0}}), after({}));
 }
 
-TEST_F(InformationGainTest, NearPlacesTellMore) {
+TEST_F(InformationGainTest, NearPlacesGainMore) {
   EXPECT_GT(after({{{1.2, 1.5}, 1.0}}), after({{{2.0, 1.5}, 1.0}}));
 }
 

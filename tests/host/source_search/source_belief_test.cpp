@@ -182,7 +182,7 @@ TEST(SourceBelief, OrderAndPortionsOfReadingsDoNotMatter) {
   EXPECT_NEAR(one.estimate().within_probability, other.estimate().within_probability, 0.05);
 }
 
-TEST(SourceBelief, AWallExplainsWhyNothingIsHeardBehindIt) {
+TEST(SourceBelief, AWallExplainsWhyNothingIsReadBehindIt) {
   const SourceWorld world({4.0, 3.0}, {{{1.9, 0.0}, {2.1, 3.0}}});
   SourceTruth truth;
   SourceBelief belief({}, world.map());

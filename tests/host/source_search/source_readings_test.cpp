@@ -102,7 +102,7 @@ TEST(SourceReadings, AreTakenForTheTimeInWhichTheSensorWasNotDead) {
   EXPECT_NEAR(placed[0].dwell_s, 0.8, 1e-9);
 }
 
-TEST(SourceReadings, TellHowLongTheyHaveBeenTaken) {
+TEST(SourceReadings, KnowHowLongTheyHaveBeenTaken) {
   SourceReadings readings({});
   EXPECT_EQ(readings.elapsed_s(), 0.0);
   readings.on_scalar(pulses(2.0, 3.0, 1.0));

@@ -112,7 +112,7 @@ TEST(SourceSearch, ExploresTheRestBeforeItSaysThatThereIsNone) {
   EXPECT_FALSE(search.has_ended());
 }
 
-TEST(SourceSearch, TellsWhatItIsAboutToRead) {
+TEST(SourceSearch, KnowsWhatItIsAboutToRead) {
   const auto world = small_hall();
   SourceSearchParams params;
   params.explores = false;

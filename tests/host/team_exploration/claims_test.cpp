@@ -36,7 +36,7 @@ TEST(Claims, OfRobotsThatAreSilentOrGoneLapse) {
   EXPECT_EQ(claim_of(alive, "a"), &alive.claims.front());
 }
 
-TEST(Claims, TellADeadlockFromAQueue) {
+TEST(Claims, DistinguishADeadlockFromAQueue) {
   TeamView view;
   view.claims = {claim_by("b", 0.1, "c"), claim_by("c", 0.1, ""), claim_by("d", 0.1, "d")};
   EXPECT_THAT(deadlock(view, "a", "b"), IsEmpty()) << "c goes on some day";

@@ -34,7 +34,7 @@ class LastSink final : public pipeline::AnyObservationSink {
 
 class PeerEchoFilterTest : public ::testing::Test {
  protected:
-  sensors::SonarObservation heard(double pan_rad, std::optional<double> range_m) {
+  sensors::SonarObservation filtered(double pan_rad, std::optional<double> range_m) {
     sensors::SonarObservation observation;
     observation.pan_rad = pan_rad;
     observation.range_m = range_m;
@@ -51,29 +51,29 @@ class PeerEchoFilterTest : public ::testing::Test {
 /// The sonar sits 6 cm before the middle, and the hull's face 9 cm before the peer's.
 constexpr double kToHullM = 1.0 - 0.06 - 0.09;
 
-TEST_F(PeerEchoFilterTest, AnEchoOfAPeersHullSaysNothing) {
-  const auto reading = heard(0.0, kToHullM);
+TEST_F(PeerEchoFilterTest, AnEchoOfAPeersHullIsNoInformation) {
+  const auto reading = filtered(0.0, kToHullM);
   EXPECT_FALSE(reading.range_m);
   EXPECT_FALSE(reading.has_answered) << "silence would say that the floor is free";
   EXPECT_EQ(filter.echoes_of_peers(), 1U);
 }
 
 TEST_F(PeerEchoFilterTest, EchoesFromBeforeBehindAndBesideThePeerAreOfTheRoom) {
-  EXPECT_TRUE(heard(0.0, kToHullM - 0.15).range_m);
-  EXPECT_TRUE(heard(0.0, kToHullM + 0.25).range_m);
-  EXPECT_TRUE(heard(0.8, kToHullM).range_m);
-  EXPECT_TRUE(heard(0.0, std::nullopt).has_answered);
+  EXPECT_TRUE(filtered(0.0, kToHullM - 0.15).range_m);
+  EXPECT_TRUE(filtered(0.0, kToHullM + 0.25).range_m);
+  EXPECT_TRUE(filtered(0.8, kToHullM).range_m);
+  EXPECT_TRUE(filtered(0.0, std::nullopt).has_answered);
   EXPECT_EQ(filter.echoes_of_peers(), 0U);
 }
 
-TEST_F(PeerEchoFilterTest, ABeamsEdgeHearsThePeerToo) {
-  EXPECT_FALSE(heard(0.25, kToHullM).range_m);
+TEST_F(PeerEchoFilterTest, ABeamsEdgeMeetsThePeerToo) {
+  EXPECT_FALSE(filtered(0.25, kToHullM).range_m);
 }
 
 TEST_F(PeerEchoFilterTest, IsWiderWhereThePeersPlaceIsUnsure) {
-  EXPECT_TRUE(heard(0.0, kToHullM + 0.2).range_m);
+  EXPECT_TRUE(filtered(0.0, kToHullM + 0.2).range_m);
   peers.front().position_stddev_m = 0.1;
-  EXPECT_FALSE(heard(0.0, kToHullM + 0.2).range_m);
+  EXPECT_FALSE(filtered(0.0, kToHullM + 0.2).range_m);
 }
 
 TEST_F(PeerEchoFilterTest, AContactWithAPeerIsNone) {

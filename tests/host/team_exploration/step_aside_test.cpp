@@ -22,7 +22,7 @@ mapping::RasterMap map_of(mapping::OccupancyGrid grid) {
 TEST(ExpectedWay, LeadsOverTheMapToWhatThePeerClaims) {
   const auto map = map_of(tests::corridor_with_niche());
   const Claim claim{"b", {1.3, 0.6}, 0.1, 2.0, ""};
-  const auto path_m = expected_way(map, peer_at("b", {3.5, 0.0, 0.0}), &claim, {});
+  const auto path_m = expected_path(map, peer_at("b", {3.5, 0.0, 0.0}), &claim, {});
   ASSERT_GE(path_m.size(), 3U) << "round the corner of the niche";
   EXPECT_LT((path_m.front() - Eigen::Vector2d(3.5, 0.0)).norm(), 0.05);
   EXPECT_LT((path_m.back() - claim.at_m).norm(), 0.05);
@@ -30,16 +30,16 @@ TEST(ExpectedWay, LeadsOverTheMapToWhatThePeerClaims) {
 
 TEST(ExpectedWay, LeadsStraightAheadWherePeerClaimsNothing) {
   const auto map = map_of(tests::corridor_with_niche());
-  const auto path_m = expected_way(map, peer_at("b", {3.5, 0.0, std::numbers::pi}), nullptr, {});
+  const auto path_m = expected_path(map, peer_at("b", {3.5, 0.0, std::numbers::pi}), nullptr, {});
   ASSERT_EQ(path_m.size(), 2U);
   EXPECT_LT((path_m.back() - Eigen::Vector2d(2.0, 0.0)).norm(), 1e-9);
 }
 
 TEST(PassingPlace, IsTheNicheOfACorridor) {
   const auto map = map_of(tests::corridor_with_niche());
-  const ClearWay way{{{3.5, 0.0}, {-0.9, 0.0}}, 0.3};
+  const ClearPath path{{{3.5, 0.0}, {-0.9, 0.0}}, 0.3};
   const auto place =
-      passing_place(map, {0.5, 0.0}, {peer_at("b", {3.5, 0.0, std::numbers::pi})}, way, {});
+      passing_place(map, {0.5, 0.0}, {peer_at("b", {3.5, 0.0, std::numbers::pi})}, path, {});
   ASSERT_TRUE(place);
   EXPECT_GT(place->at_m.x(), 1.0);
   EXPECT_GE(place->at_m.y(), 0.3);
@@ -48,14 +48,14 @@ TEST(PassingPlace, IsTheNicheOfACorridor) {
 
 TEST(PassingPlace, IsNotBehindThePeer) {
   const auto map = map_of(tests::corridor_with_niche());
-  const ClearWay way{{{0.8, 0.0}, {-0.9, 0.0}}, 0.3};
-  EXPECT_FALSE(passing_place(map, {0.2, 0.0}, {peer_at("b", {0.8, 0.0, 0.0})}, way, {}));
+  const ClearPath path{{{0.8, 0.0}, {-0.9, 0.0}}, 0.3};
+  EXPECT_FALSE(passing_place(map, {0.2, 0.0}, {peer_at("b", {0.8, 0.0, 0.0})}, path, {}));
 }
 
 TEST(PassingPlace, IsHereWhereTheRobotIsNotInTheWay) {
   const auto map = map_of(tests::open_hall());
-  const ClearWay way{{{3.0, 0.5}, {-0.5, 0.5}}, 0.3};
-  const auto place = passing_place(map, {1.0, -0.3}, {peer_at("b", {3.0, 0.5, 0.0})}, way, {});
+  const ClearPath path{{{3.0, 0.5}, {-0.5, 0.5}}, 0.3};
+  const auto place = passing_place(map, {1.0, -0.3}, {peer_at("b", {3.0, 0.5, 0.0})}, path, {});
   ASSERT_TRUE(place);
   EXPECT_EQ(place->cost_m, 0.0);
 }

@@ -32,9 +32,9 @@ class TeamExplorerTest : public ::testing::Test {
  protected:
   /// The hall is open at x = 5 m.
   pipeline::Snapshot snapshot(const Pose2& T_map_robot = {}, double now_s = 1.0) const {
-    auto told = tests::snapshot_of(tests::open_hall(), {tests::pose_at(now_s, T_map_robot)});
-    told.stops = 1;
-    return told;
+    auto snapshot = tests::snapshot_of(tests::open_hall(), {tests::pose_at(now_s, T_map_robot)});
+    snapshot.stops = 1;
+    return snapshot;
   }
   /// After the first stop.
   Motion first_move(TeamExplorer& explorer) {

@@ -40,7 +40,7 @@ class UnplacedPeerFilterTest : public ::testing::Test {
     now_s_ = now_s;
     filter.begin_scan();
   }
-  bool is_heard(double pan_rad, double range_m) {
+  bool is_kept(double pan_rad, double range_m) {
     sensors::SonarObservation observation;
     observation.stamp =
         time::RobotTime(time::RobotClock::duration(static_cast<std::int64_t>(now_s_ * 1e6)));
@@ -60,48 +60,48 @@ class UnplacedPeerFilterTest : public ::testing::Test {
 
 TEST_F(UnplacedPeerFilterTest, TakesOneCompactThingAmidFloorForARobot) {
   stop_at(0.0);
-  EXPECT_FALSE(is_heard(0.0, 1.0));
-  EXPECT_FALSE(is_heard(0.1, 1.02));
-  EXPECT_FALSE(is_heard(0.2, 0.98));
+  EXPECT_FALSE(is_kept(0.0, 1.0));
+  EXPECT_FALSE(is_kept(0.1, 1.02));
+  EXPECT_FALSE(is_kept(0.2, 0.98));
   EXPECT_FALSE(sink.reading.range_m);
   EXPECT_EQ(filter.echoes_of_peers(), 3U);
 }
 
-TEST_F(UnplacedPeerFilterTest, HearsAllWhereItKnowsWhereAllAre) {
+TEST_F(UnplacedPeerFilterTest, KeepsAllEchoesWhereItKnowsWhereAllAre) {
   known.unplaced = 0;
   stop_at(0.0);
-  EXPECT_TRUE(is_heard(0.0, 1.0));
+  EXPECT_TRUE(is_kept(0.0, 1.0));
 }
 
-TEST_F(UnplacedPeerFilterTest, HearsWhatIsNotOnFirmFloor) {
+TEST_F(UnplacedPeerFilterTest, KeepsEchoesThatAreNotOnFirmFloor) {
   stop_at(0.0);
-  EXPECT_TRUE(is_heard(0.0, 2.3)) << "beyond what is known";
+  EXPECT_TRUE(is_kept(0.0, 2.3)) << "beyond what is known";
   known.grid = floor_of(-150);
-  EXPECT_TRUE(is_heard(0.0, 1.0)) << "one stop may have been deceived";
+  EXPECT_TRUE(is_kept(0.0, 1.0)) << "one stop may have been deceived";
 }
 
 /// A robot that was carried off.
-TEST_F(UnplacedPeerFilterTest, HearsAllButOneThingForEachRobot) {
+TEST_F(UnplacedPeerFilterTest, KeepsAllButOneThingForEachRobot) {
   stop_at(0.0);
-  int unheard = 0;
+  int dropped = 0;
   for (int i = 0; i < 60; ++i) {
-    unheard += is_heard(i * 2.0 * std::numbers::pi / 60.0, 1.0) ? 0 : 1;
+    dropped += is_kept(i * 2.0 * std::numbers::pi / 60.0, 1.0) ? 0 : 1;
   }
-  EXPECT_GT(unheard, 0);
-  EXPECT_LT(unheard, 30);
-  EXPECT_TRUE(is_heard(std::numbers::pi, 1.5)) << "a second thing at the stop";
+  EXPECT_GT(dropped, 0);
+  EXPECT_LT(dropped, 30);
+  EXPECT_TRUE(is_kept(std::numbers::pi, 1.5)) << "a second thing at the stop";
   known.unplaced = 2;
-  EXPECT_FALSE(is_heard(std::numbers::pi, 1.5));
+  EXPECT_FALSE(is_kept(std::numbers::pi, 1.5));
 }
 
-TEST_F(UnplacedPeerFilterTest, BelievesAThingThatStays) {
+TEST_F(UnplacedPeerFilterTest, KeepsAThingThatStays) {
   for (const double now_s : {0.0, 20.0, 40.0}) {
     stop_at(now_s);
-    EXPECT_FALSE(is_heard(0.0, 1.0)) << now_s;
+    EXPECT_FALSE(is_kept(0.0, 1.0)) << now_s;
   }
   stop_at(70.0);
-  EXPECT_TRUE(is_heard(0.0, 1.0));
-  EXPECT_FALSE(is_heard(0.0, 1.5)) << "a robot elsewhere";
+  EXPECT_TRUE(is_kept(0.0, 1.0));
+  EXPECT_FALSE(is_kept(0.0, 1.5)) << "a robot elsewhere";
 }
 
 TEST_F(UnplacedPeerFilterTest, RefusesInvalidParameters) {

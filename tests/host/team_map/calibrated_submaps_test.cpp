@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::team_map {
 namespace {
@@ -17,18 +17,18 @@ constexpr double kShare = -0.02;
 
 RobotRecord record_with_a_short_turn() {
   const tests::SmoothRoom room = tests::room_of_posts();
-  RobotRecord record = tests::told_record("a", room, {{0.0, 0.0}, {0.6, 0.0}, {0.6, 0.3}}, 0.0);
+  RobotRecord record = tests::ideal_record("a", room, {{0.0, 0.0}, {0.6, 0.0}, {0.6, 0.3}}, 0.0);
   Submap& first = record.submaps[0];
   first.readings.clear();
   for (int turn = 0; turn <= 6; ++turn) {
-    const double told_rad = turn * radians(360.0) / 6.0;
+    const double reported_rad = turn * radians(360.0) / 6.0;
     slam::OdometryMark mark;
-    mark.T_odom_robot = Pose2(0.0, 0.0, told_rad);
-    mark.turn_rad = told_rad;
-    mark.turned_rad = told_rad;
+    mark.T_odom_robot = Pose2(0.0, 0.0, reported_rad);
+    mark.turn_rad = reported_rad;
+    mark.turned_rad = reported_rad;
     for (int i = -44; i <= 44; ++i) {
       const Pose2 T_robot_sonar(0.0, 0.0, radians(2.0 * i));
-      const Pose2 T_room_robot(0.0, 0.0, told_rad * (1.0 + kShare));
+      const Pose2 T_room_robot(0.0, 0.0, reported_rad * (1.0 + kShare));
       first.readings.push_back(
           {mark, T_robot_sonar, tests::ideal_range_m(T_room_robot * T_robot_sonar, room)});
     }
@@ -46,7 +46,7 @@ TEST(CalibratedSubmaps, CalibrateTurnsByTheFirstStop) {
 
 TEST(CalibratedSubmaps, LeaveTurnsAloneThatNothingCalibrates) {
   const RobotRecord record =
-      tests::told_record("a", tests::room_of_posts(), {{0.0, 0.0}, {0.6, 0.2}}, 0.3);
+      tests::ideal_record("a", tests::room_of_posts(), {{0.0, 0.0}, {0.6, 0.2}}, 0.3);
   CalibratedSubmaps same;
   same.take(record.submaps);
   EXPECT_EQ(same.submaps()[1].readings[0].mark.T_odom_robot.x_m(),
@@ -66,19 +66,19 @@ void expect_same(const std::vector<Submap>& some, const std::vector<Submap>& oth
   }
 }
 
-/// A robot tells stop after stop, and once in a while one less than before.
+/// A robot publishes stop after stop, and once in a while one less than before.
 TEST(CalibratedSubmaps, AreTheSameTakenOneByOneOrAllAtOnce) {
-  const std::vector<Submap> told = record_with_a_short_turn().submaps;
+  const std::vector<Submap> reported = record_with_a_short_turn().submaps;
   CalibratedSubmaps at_once;
-  at_once.take(told);
+  at_once.take(reported);
   CalibratedSubmaps one_by_one;
   for (std::ptrdiff_t count = 0; count <= 3; ++count) {
-    one_by_one.take({told.begin(), told.begin() + count});
+    one_by_one.take({reported.begin(), reported.begin() + count});
   }
   expect_same(one_by_one.submaps(), at_once.submaps());
-  one_by_one.take({told.begin(), told.begin() + 2});
+  one_by_one.take({reported.begin(), reported.begin() + 2});
   EXPECT_EQ(one_by_one.submaps().size(), 2U);
-  one_by_one.take(told);
+  one_by_one.take(reported);
   expect_same(one_by_one.submaps(), at_once.submaps());
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::team_map {
 namespace {
@@ -16,7 +16,7 @@ class MapEvidenceTest : public ::testing::Test {
                          const std::vector<Eigen::Vector2d>& places_m,
                          double heading_rad) {
     RobotMap map{mapping::SonarMapperParams{}};
-    map.take(tests::told_record("one", room, places_m, heading_rad));
+    map.take(tests::ideal_record("one", room, places_m, heading_rad));
     return map;
   }
 
@@ -63,12 +63,13 @@ TEST_F(MapEvidenceTest, LosesNothingWhereOneRobotHasSeenLess) {
 
 /// The first stop looks around several times; what it knows of the walls is known by its pose.
 TEST_F(MapEvidenceTest, CountsAStopAsOneSweepHoweverManyReadingsItHas) {
-  RobotRecord told = tests::told_record("one", tests::room_of_posts(), tests::other_round_m(), 1.0);
-  std::vector<slam::StopReading>& readings = told.submaps.front().readings;
+  RobotRecord reported =
+      tests::ideal_record("one", tests::room_of_posts(), tests::other_round_m(), 1.0);
+  std::vector<slam::StopReading>& readings = reported.submaps.front().readings;
   const std::vector<slam::StopReading> sweep = readings;
   readings.insert(readings.end(), sweep.begin(), sweep.end());
   RobotMap twice{mapping::SonarMapperParams{}};
-  twice.take(told);
+  twice.take(reported);
   EXPECT_NEAR(evidence_for(first, twice, T_true).readings,
               evidence_for(first, second, T_true).readings,
               2.0);

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::team_map {
 namespace {
@@ -19,12 +19,12 @@ const tests::SmoothRoom kLargerRoom{
 
 class MapJoinTest : public ::testing::Test {
  protected:
-  MapJoinTest() { first.take(tests::told_record("a", room, tests::one_round_m(), 0.0)); }
+  MapJoinTest() { first.take(tests::ideal_record("a", room, tests::one_round_m(), 0.0)); }
 
-  void stop(std::size_t stops) { second.take(tests::first_stops(told, stops)); }
+  void stop(std::size_t stops) { second.take(tests::first_stops(reported, stops)); }
 
   const tests::SmoothRoom room = tests::room_of_posts();
-  RobotRecord told = tests::told_record("b", room, tests::other_round_m(), 1.0);
+  RobotRecord reported = tests::ideal_record("b", room, tests::other_round_m(), 1.0);
   RobotMap first{mapping::SonarMapperParams{}};
   RobotMap second{mapping::SonarMapperParams{}};
   MapJoin join{MapJoinParams{}};
@@ -47,7 +47,7 @@ TEST_F(MapJoinTest, JoinsMapsOfOneRoomWhereTwoLooksAgree) {
 }
 
 TEST_F(MapJoinTest, DoesNotJoinARoomThatLooksAlike) {
-  told = tests::told_record("b", tests::look_alike_room(), tests::other_round_m(), 1.0);
+  reported = tests::ideal_record("b", tests::look_alike_room(), tests::other_round_m(), 1.0);
   for (std::size_t stops = 1; stops <= 8; ++stops) {
     stop(stops);
     join.update(first, second);
@@ -58,8 +58,8 @@ TEST_F(MapJoinTest, DoesNotJoinARoomThatLooksAlike) {
 /// An empty rectangle is the same when it is turned by half a turn.
 TEST_F(MapJoinTest, DoesNotJoinWhatFitsInTwoWays) {
   const tests::SmoothRoom empty = tests::smooth_rectangle();
-  first.take(tests::told_record("a", empty, tests::one_round_m(), 0.0));
-  told = tests::told_record("b", empty, tests::other_round_m(), 1.0);
+  first.take(tests::ideal_record("a", empty, tests::one_round_m(), 0.0));
+  reported = tests::ideal_record("b", empty, tests::other_round_m(), 1.0);
   for (std::size_t stops = 1; stops <= 8; ++stops) {
     stop(stops);
     join.update(first, second);
@@ -74,7 +74,7 @@ TEST_F(MapJoinTest, UndoesAJoinThatIsContradicted) {
   }
   ASSERT_TRUE(join.T_first_second());
   RobotMap elsewhere{mapping::SonarMapperParams{}};
-  elsewhere.take(tests::told_record("b", kLargerRoom, tests::other_round_m(), 1.0));
+  elsewhere.take(tests::ideal_record("b", kLargerRoom, tests::other_round_m(), 1.0));
   join.update(first, elsewhere);
   EXPECT_TRUE(join.T_first_second()) << "one look is not enough";
   join.update(first, second);
@@ -107,7 +107,7 @@ TEST_F(MapJoinTest, UndoesAJoinThatAnotherPlaceOutdoes) {
   EXPECT_EQ(lenient.undone(), 1U);
 }
 
-TEST_F(MapJoinTest, JoinsAtOnceWhereOthersTellItAndReadingsAreSure) {
+TEST_F(MapJoinTest, JoinsAtOnceWhereOthersKnowItAndReadingsAreSure) {
   const Pose2 T_true = tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0);
   stop(1);
   join.try_at(first, second, T_true);
@@ -119,24 +119,24 @@ TEST_F(MapJoinTest, JoinsAtOnceWhereOthersTellItAndReadingsAreSure) {
   EXPECT_GT(join.weight(), 0.0);
 }
 
-TEST_F(MapJoinTest, BelievesAJoinOfOthersUntilItIsContradicted) {
+TEST_F(MapJoinTest, AcceptsAJoinOfOthersUntilItIsContradicted) {
   const Pose2 T_true = tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0);
   stop(8);
-  EXPECT_TRUE(join.believe(T_true));
-  EXPECT_FALSE(join.believe(T_true)) << "it has it";
+  EXPECT_TRUE(join.accept_join(T_true));
+  EXPECT_FALSE(join.accept_join(T_true)) << "it has it";
   join.update(first, second);
   join.update(first, second);
   ASSERT_TRUE(join.T_first_second()) << "it holds";
   MapJoin wrong{MapJoinParams{}};
-  wrong.believe(T_true * Pose2(0.1, 0.1, 0.35));
+  wrong.accept_join(T_true * Pose2(0.1, 0.1, 0.35));
   wrong.update(first, second);
   EXPECT_TRUE(wrong.T_first_second()) << "one look is not enough";
   wrong.update(first, second);
   EXPECT_FALSE(wrong.T_first_second());
-  EXPECT_FALSE(wrong.believe(T_true)) << "it knows better";
+  EXPECT_FALSE(wrong.accept_join(T_true)) << "it knows better";
 }
 
-TEST_F(MapJoinTest, KnowsThatReadingsSpeakAgainstWhatOthersTell) {
+TEST_F(MapJoinTest, KnowsThatReadingsContradictAJoinOfOthers) {
   stop(8);
   const Pose2 T_wrong =
       tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0) * Pose2(0.1, 0.1, 0.35);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::team_map {
 namespace {
@@ -11,9 +11,9 @@ namespace {
 using geometry::Pose2;
 using mapping::CellState;
 
-/// What a robot tells, in the frame of the room.
+/// What a robot publishes, in the frame of the room.
 MapShare share_of(const std::string& robot, const std::vector<Eigen::Vector2d>& places_m) {
-  const RobotRecord record = tests::told_record(robot, tests::room_of_posts(), places_m, 0.0);
+  const RobotRecord record = tests::ideal_record(robot, tests::room_of_posts(), places_m, 0.0);
   std::vector<Pose2> T_room_submaps;
   for (const Eigen::Vector2d& place_m : places_m) {
     T_room_submaps.emplace_back(place_m.x(), place_m.y(), 0.0);
@@ -21,7 +21,7 @@ MapShare share_of(const std::string& robot, const std::vector<Eigen::Vector2d>& 
   return {robot, record.body_radius_m, placed(record.submaps, T_room_submaps)};
 }
 
-TEST(MergedMap, IsMadeOfWhatAllHaveHeard) {
+TEST(MergedMap, IsMadeOfTheReadingsOfAll) {
   MergedMapper mapper{mapping::SonarMapperParams{}};
   const MergedMap merged =
       mapper.merge({share_of("a", tests::one_round_m()), share_of("b", tests::other_round_m())});
@@ -36,8 +36,8 @@ TEST(MergedMap, IsMadeOfWhatAllHaveHeard) {
   EXPECT_TRUE(has_wall);
 }
 
-/// A hears the right half from its middle, B the left one; both the middle.
-TEST(MergedMap, KnowsWhoHasToldOfACell) {
+/// A measures the right half from its middle, B the left one; both the middle.
+TEST(MergedMap, KnowsWhoHasObservedACell) {
   mapping::CellBounds bounds{{0, 0}, {3, 3}};
   Provenance provenance(bounds, 0.05);
   provenance.add({1, 2}, 0);
@@ -60,7 +60,7 @@ TEST(MergedMap, SaysWhoHasSeenTheFloor) {
   EXPECT_EQ(robots_at(0.9, 0.3) & 0b01U, 0b01U);
 }
 
-/// A robot that bumped into something that no sonar hears, where its bumper is.
+/// A robot that bumped into something that no sonar measures, where its bumper is.
 TEST(MergedMap, HasWhatRobotsFeltOnTheirWays) {
   MergedMapper mapper{mapping::SonarMapperParams{}};
   MapShare share = share_of("a", {{0.0, 0.0}, {-0.4, -0.3}, {0.3, -0.4}});
@@ -96,7 +96,7 @@ TEST(MergedMap, IsTheSameWhenItIsMadeAtOnceAndStopByStop) {
 
 /// More stops than a mapper matches anew with one that is new, those of the first robot before
 /// those of the second.
-TEST(MergedMap, IsTheSameWhenRobotsTellTheirStopsInTurn) {
+TEST(MergedMap, IsTheSameWhenRobotsPublishTheirStopsInTurn) {
   std::vector<Eigen::Vector2d> places_m;
   for (int i = 0; i < 24; ++i) {
     places_m.emplace_back(-0.7 + 0.25 * (i % 6), -0.4 + 0.25 * (i / 6));

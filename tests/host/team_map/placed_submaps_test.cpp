@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::team_map {
 namespace {
@@ -13,7 +13,7 @@ using geometry::radians;
 
 TEST(PlacedSubmaps, PlacesReadingsByThePoseOfTheFirst) {
   const RobotRecord record =
-      tests::told_record("a", tests::room_of_posts(), {{0.0, 0.0}, {0.6, 0.0}}, 0.0);
+      tests::ideal_record("a", tests::room_of_posts(), {{0.0, 0.0}, {0.6, 0.0}}, 0.0);
   const PlacedSubmaps there =
       placed(record.submaps, {Pose2(2.0, 1.0, radians(90.0)), Pose2(2.0, 1.6, radians(90.0))});
   ASSERT_EQ(there.scans.size(), 2U);
@@ -26,7 +26,7 @@ TEST(PlacedSubmaps, PlacesReadingsByThePoseOfTheFirst) {
 
 TEST(PlacedSubmaps, SayWhereTheRobotWasWhenItsStopsEnded) {
   RobotRecord record =
-      tests::told_record("a", tests::room_of_posts(), {{0.0, 0.0}, {0.6, 0.0}}, 0.0);
+      tests::ideal_record("a", tests::room_of_posts(), {{0.0, 0.0}, {0.6, 0.0}}, 0.0);
   const Pose2 turned_at_stop(0.0, 0.0, radians(30.0));
   auto& readings = record.submaps[1].readings;
   readings.back().mark.T_odom_robot = readings.front().mark.T_odom_robot * turned_at_stop;
@@ -41,7 +41,7 @@ TEST(PlacedSubmaps, SayWhereTheRobotWasWhenItsStopsEnded) {
 /// Odometry says 0.6 m straight on, SLAM has the second stop 0.1 m farther and to the left.
 TEST(PlacedSubmaps, SpreadsWhatOdometryIsOffOverTheWay) {
   RobotRecord record =
-      tests::told_record("a", tests::room_of_posts(), {{0.0, 0.0}, {0.6, 0.0}}, 0.0);
+      tests::ideal_record("a", tests::room_of_posts(), {{0.0, 0.0}, {0.6, 0.0}}, 0.0);
   record.submaps[1].contacts.push_back({Pose2(0.3, 0.0, 0.0), true, false});
   const PlacedSubmaps there = placed(record.submaps, {Pose2(), Pose2(0.7, 0.1, 0.0)});
   ASSERT_EQ(there.T_map_way.size(), 8U) << "two stops and six steps";

@@ -5,18 +5,18 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::team_map {
 namespace {
 
-RobotRecord told() {
-  return tests::told_record("a", tests::room_of_posts(), tests::one_round_m(), 0.4);
+RobotRecord reported() {
+  return tests::ideal_record("a", tests::room_of_posts(), tests::one_round_m(), 0.4);
 }
 
-TEST(RobotMap, IsMadeOfWhatARobotTells) {
+TEST(RobotMap, IsMadeOfWhatARobotPublishes) {
   RobotMap map{mapping::SonarMapperParams{}};
-  EXPECT_TRUE(map.take(told()));
+  EXPECT_TRUE(map.take(reported()));
   EXPECT_EQ(map.robot(), "a");
   EXPECT_EQ(map.submaps().size(), 8U);
   EXPECT_EQ(map.map().map().state(map.map().map().cell_at({0.1, 0.1})), mapping::CellState::kFree);
@@ -26,21 +26,21 @@ TEST(RobotMap, IsMadeOfWhatARobotTells) {
 
 TEST(RobotMap, SaysWhetherAnythingIsNew) {
   RobotMap map{mapping::SonarMapperParams{}};
-  EXPECT_FALSE(map.take(tests::first_stops(told(), 0)));
-  EXPECT_TRUE(map.take(tests::first_stops(told(), 4)));
-  EXPECT_FALSE(map.take(tests::first_stops(told(), 4)));
-  EXPECT_TRUE(map.take(told()));
-  RobotRecord moved = told();
+  EXPECT_FALSE(map.take(tests::first_stops(reported(), 0)));
+  EXPECT_TRUE(map.take(tests::first_stops(reported(), 4)));
+  EXPECT_FALSE(map.take(tests::first_stops(reported(), 4)));
+  EXPECT_TRUE(map.take(reported()));
+  RobotRecord moved = reported();
   moved.T_map_submaps[3] = geometry::Pose2(0.5, 0.0, 0.0) * moved.T_map_submaps[3];
   EXPECT_TRUE(map.take(moved));
 }
 
 /// Presence may come after the first submaps.
 TEST(RobotMap, IsMadeAnewOnceTheBeamIsKnown) {
-  RobotRecord narrow = told();
+  RobotRecord narrow = reported();
   narrow.beam_half_angle_rad = 0.1;
   RobotMap map{mapping::SonarMapperParams{}};
-  map.take(told());
+  map.take(reported());
   EXPECT_TRUE(map.take(narrow));
   RobotMap at_once{mapping::SonarMapperParams{}};
   at_once.take(narrow);
@@ -56,7 +56,7 @@ TEST(RobotMap, IsMadeAnewOnceTheBeamIsKnown) {
 /// A submap whose pose has not come yet waits for it.
 TEST(RobotMap, TakesOnlySubmapsThatHaveAPose) {
   RobotMap map{mapping::SonarMapperParams{}};
-  RobotRecord record = told();
+  RobotRecord record = reported();
   record.T_map_submaps.resize(3);
   map.take(record);
   EXPECT_EQ(map.submaps().size(), 3U);
@@ -64,7 +64,7 @@ TEST(RobotMap, TakesOnlySubmapsThatHaveAPose) {
 
 TEST(RobotMap, ExplainsItsOwnReadingsByItsOtherStops) {
   RobotMap map{mapping::SonarMapperParams{}};
-  map.take(told());
+  map.take(reported());
   ASSERT_EQ(map.own_log_likelihoods().size(), 8U);
   const auto& of_one = map.own_log_likelihoods()[2];
   ASSERT_EQ(of_one.size(), 90U);

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::team_map {
 namespace {
@@ -17,8 +17,8 @@ using geometry::Pose2;
 class TeamGraphTest : public ::testing::Test {
  protected:
   TeamGraphTest() {
-    first.take(tests::told_record("a", tests::room_of_posts(), tests::one_round_m(), 0.0));
-    second.take(tests::told_record("b", tests::room_of_posts(), tests::other_round_m(), 1.0));
+    first.take(tests::ideal_record("a", tests::room_of_posts(), tests::one_round_m(), 0.0));
+    second.take(tests::ideal_record("b", tests::room_of_posts(), tests::other_round_m(), 1.0));
   }
 
   std::vector<TeamTrack> begun_at(const Pose2& T_first_second) const {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/told_robot.hpp"
+#include "tests/support/ideal_robot.hpp"
 
 namespace echomap::team_map {
 namespace {
@@ -23,9 +23,9 @@ class TeamMapTest : public ::testing::Test {
     }
   }
 
-  const RobotRecord a = tests::told_record("a", tests::room_of_posts(), tests::one_round_m(), 0.0);
+  const RobotRecord a = tests::ideal_record("a", tests::room_of_posts(), tests::one_round_m(), 0.0);
   const RobotRecord b =
-      tests::told_record("b", tests::room_of_posts(), tests::other_round_m(), 1.0);
+      tests::ideal_record("b", tests::room_of_posts(), tests::other_round_m(), 1.0);
   const Pose2 T_a_b = tests::T_maps(tests::one_round_m(), 0.0, tests::other_round_m(), 1.0);
   TeamMap team;
 };
@@ -68,7 +68,7 @@ TEST_F(TeamMapTest, JoinsTwoThatHaveSeenTheSameRoom) {
       << "its map is where it stood last";
 }
 
-TEST_F(TeamMapTest, IsAFunctionOfWhatItWasTold) {
+TEST_F(TeamMapTest, IsAFunctionOfItsInput) {
   meet();
   TeamMap other;
   other.take(b);
@@ -86,10 +86,10 @@ TEST_F(TeamMapTest, IsAFunctionOfWhatItWasTold) {
   }
 }
 
-TEST_F(TeamMapTest, BelievesWhatItIsTold) {
+TEST_F(TeamMapTest, AcceptsAKnownPose) {
   team.take(tests::first_stops(a, 2));
   team.take(tests::first_stops(b, 2));
-  team.tell({"b", "a", {T_a_b.inverse(), 0.02, 0.02}});
+  team.set_known_pose({"b", "a", {T_a_b.inverse(), 0.02, 0.02}});
   EXPECT_TRUE(team.update());
   ASSERT_EQ(team.components().size(), 1U);
   EXPECT_NEAR(team.relative_pose("a", "b")->T_own_peer.x_m(), T_a_b.x_m(), 0.05);
@@ -99,8 +99,8 @@ TEST_F(TeamMapTest, BelievesWhatItIsTold) {
 TEST_F(TeamMapTest, JoinsAtOnceWhatRobotsOfTheTeamHaveJoined) {
   team.take(a);
   team.take(b);
-  team.believe("b", "a", T_a_b.inverse());
-  team.believe("a", "nobody", {});
+  team.accept_join("b", "a", T_a_b.inverse());
+  team.accept_join("a", "nobody", {});
   team.update();
   ASSERT_EQ(team.components().size(), 1U);
   EXPECT_NEAR(team.relative_pose("a", "b")->T_own_peer.x_m(), T_a_b.x_m(), 0.05);
@@ -113,18 +113,18 @@ TEST_F(TeamMapTest, ReachesARobotByWayOfAnother) {
   team.take(tests::first_stops(a, 2));
   team.take(tests::first_stops(b, 2));
   team.take(tests::first_stops(c, 2));
-  team.tell({"a", "b", {T_a_b, 0.02, 0.02}});
-  team.tell({"b", "c", {Pose2(), 0.02, 0.02}});
+  team.set_known_pose({"a", "b", {T_a_b, 0.02, 0.02}});
+  team.set_known_pose({"b", "c", {Pose2(), 0.02, 0.02}});
   team.update();
   ASSERT_EQ(team.components().size(), 1U);
   EXPECT_NEAR(team.relative_pose("a", "c")->T_own_peer.x_m(), T_a_b.x_m(), 0.05);
 }
 
-TEST_F(TeamMapTest, AsksTheReadingsOfMapsThatAreJoinedByWayOfAnother) {
+TEST_F(TeamMapTest, ChecksTheReadingsOfMapsThatAreJoinedThroughAnother) {
   RobotRecord c = b;
   c.robot = "c";
-  team.tell({"a", "b", {T_a_b, 0.02, 0.02}});
-  team.tell({"b", "c", {Pose2(), 0.02, 0.02}});
+  team.set_known_pose({"a", "b", {T_a_b, 0.02, 0.02}});
+  team.set_known_pose({"b", "c", {Pose2(), 0.02, 0.02}});
   team.take(a);
   team.take(b);
   team.take(tests::first_stops(c, 1));
@@ -143,7 +143,7 @@ TEST_F(TeamMapTest, UndoesAJoinThatACycleContradicts) {
   ASSERT_EQ(team.components().size(), 1U);
   ASSERT_EQ(team.counts().undone, 0U);
   ASSERT_EQ(team.counts().joins, 2U) << "a with b and with c";
-  team.tell({"b", "c", {Pose2(0.0, 0.0, 3.0), 0.02, 0.02}});
+  team.set_known_pose({"b", "c", {Pose2(0.0, 0.0, 3.0), 0.02, 0.02}});
   team.update();
   EXPECT_EQ(team.counts().undone, 1U) << "what somebody tells outweighs readings";
   EXPECT_EQ(team.components().size(), 1U);
@@ -151,7 +151,7 @@ TEST_F(TeamMapTest, UndoesAJoinThatACycleContradicts) {
 
 TEST(TeamMapParams, AreCheckedOnce) {
   TeamMapParams params;
-  params.joining.judged = 0;
+  params.joining.max_scored_placements = 0;
   EXPECT_THROW(TeamMap{params}, std::invalid_argument);
 }
 

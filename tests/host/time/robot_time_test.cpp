@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/time/host_time.hpp"
+#include "host/time/robot_seconds.hpp"
 
 namespace echomap::time {
 namespace {
@@ -16,6 +17,13 @@ std::int64_t micros(RobotTime stamp) { return stamp.time_since_epoch().count(); 
 TEST(RobotTime, HasNothingToDoWithTheHostsClock) {
   static_assert(!std::is_convertible_v<RobotTime, HostTime>);
   static_assert(!std::is_invocable_v<std::minus<>, RobotTime, HostTime>);
+}
+
+TEST(RobotTime, InSecondsIsTheInverse) {
+  EXPECT_EQ(robot_seconds(robot_time(0.0)), 0.0);
+  EXPECT_DOUBLE_EQ(robot_seconds(robot_time(-12.345678)), -12.345678);
+  EXPECT_EQ(micros(robot_time(robot_seconds(RobotTime(RobotClock::duration(1'234'567))))),
+            1'234'567);
 }
 
 TEST(RobotTimeUnwrapper, FollowsAnyStampsThroughManyWraps) {

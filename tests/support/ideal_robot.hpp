@@ -12,12 +12,12 @@
 
 namespace echomap::tests {
 
-/// What a robot without any error tells of its stops in a room. Its map begins at the first of
-/// them; `heading_rad` is how it looks there, in the room, all the time.
-inline team_map::RobotRecord told_record(std::string robot,
-                                         const SmoothRoom& room,
-                                         const std::vector<Eigen::Vector2d>& places_m,
-                                         double heading_rad) {
+/// Submaps of a robot in a room, without any error. Its map begins at the first of its stops;
+/// `heading_rad` is its heading in the room at all of them.
+inline team_map::RobotRecord ideal_record(std::string robot,
+                                          const SmoothRoom& room,
+                                          const std::vector<Eigen::Vector2d>& places_m,
+                                          double heading_rad) {
   constexpr double kWayStepM = 0.1;
   team_map::RobotRecord record;
   record.robot = std::move(robot);
