@@ -119,6 +119,10 @@ void add_run_options(CLI::App& command, RunOptions& run) {
           "--hand", run.strategy.hand, "Side of coastal's wall sensor: the hand on the wall")
       ->check(CLI::IsMember({"right", "left"}))
       ->capture_default_str();
+  command.add_flag("--as-told",
+                   run.strategy.as_told,
+                   "Drive coastal to the letter of its paper: end by the angle about the start, "
+                   "bear away from a wall only at a bump (docs/algorithms/coastal.md)");
   command.add_option("--seconds", run.strategy.seconds, "Duration of random-bounce, seconds")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -70,4 +70,10 @@ exploration::CoastalParams coastal_params(const RobotProfile& profile, Hand hand
   return params;
 }
 
+exploration::CoastalParams as_told(exploration::CoastalParams params) {
+  params.rule = exploration::TraversalRule::kAngleAboutStart;
+  params.min_gap_m = 0.0;
+  return params;
+}
+
 }  // namespace echomap::strategies

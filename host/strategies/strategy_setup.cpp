@@ -96,7 +96,8 @@ std::string lack_of_wall_sensor(const RobotProfile& profile, const StrategyOptio
 ExplorerPtr make_coastal(const RobotProfile& profile,
                          const StrategyOptions& options,
                          std::mt19937& /*random*/) {
-  return std::make_unique<exploration::Coastal>(coastal_params(profile, hand_of(options)));
+  const exploration::CoastalParams ours = coastal_params(profile, hand_of(options));
+  return std::make_unique<exploration::Coastal>(options.as_told ? as_told(ours) : ours);
 }
 
 /// Every board has contacts; without bumpers at them a wheel that stands says the same.

@@ -30,5 +30,14 @@ TEST(CoastalSetup, TakesTheRobotFromItsProfile) {
   EXPECT_NO_THROW(exploration::Coastal{params});
 }
 
+TEST(CoastalSetup, FollowsThePaperToTheLetterWhereThatIsAskedFor) {
+  const auto profile = session::load_robot_profile("create");
+  const auto ours = coastal_params(profile, Hand::kRight);
+  const auto told = as_told(ours);
+  EXPECT_EQ(told.rule, exploration::TraversalRule::kAngleAboutStart);
+  EXPECT_EQ(told.min_gap_m, 0.0);
+  EXPECT_EQ(told.robot_radius_m, ours.robot_radius_m);
+}
+
 }  // namespace
 }  // namespace echomap::strategies
