@@ -15,6 +15,7 @@
 #include "host/apps/live_options.hpp"
 #include "host/apps/localize_options.hpp"
 #include "host/apps/map_options.hpp"
+#include "host/apps/paper_options.hpp"
 #include "host/apps/port_options.hpp"
 #include "host/apps/robot_options.hpp"
 #include "host/apps/search_options.hpp"
@@ -142,6 +143,7 @@ ExitCode run_command_line(int argc, char** argv) {
   add_characterise(app, action);
   add_flash(app, action);
   add_ports(app, action);
+  add_paper(app, action);
   add_fleet(app, action);
   try {
     app.parse(argc, argv);

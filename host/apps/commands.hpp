@@ -226,6 +226,18 @@ struct FleetStartOptions {
 };
 ExitCode run_fleet_start(const FleetStartOptions& options);
 
+/// `echomap paper`: repeats the experiments of a paper and writes a report.
+struct PaperOptions {
+  std::string number;  ///< Of the paper, such as "000".
+  std::uint32_t seed = 1;
+  std::size_t runs = 20;  ///< Of each experiment with a random outcome.
+  std::filesystem::path out;
+  bool force = false;
+  std::filesystem::path json;  ///< Empty: none; "-": stdout.
+  bool headless = false;
+};
+ExitCode run_paper(const PaperOptions& options);
+
 /// `echomap fleet broker`: runs a broker for robots on other machines until Ctrl-C.
 struct FleetBrokerOptions {
   std::string fleet = "fleet";

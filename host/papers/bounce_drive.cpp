@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "tests/papers/bounce_drive.hpp"
+#include "host/papers/bounce_drive.hpp"
 
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "hil_mock/world/contact_physics.hpp"
 #include "hil_mock/world/ir_switches.hpp"
 #include "hil_mock/world/robot_file.hpp"
+#include "host/files/bundled_files.hpp"
 #include "host/files/toml_reader.hpp"
 
 namespace echomap::papers {
@@ -22,8 +22,8 @@ constexpr double kLookM = 0.005;
 }  // namespace
 
 world::RobotParams create_robot() {
-  const std::string file = std::string(ECHOMAP_SOURCE_DIR) + "/hil_mock/robots/create.toml";
-  return world::read_robot(files::TomlReader::load(file));
+  return world::read_robot(
+      files::TomlReader::load(files::bundled_file("create", "hil_mock/robots", "body")));
 }
 
 WheelErrors::WheelErrors(const world::DriveParams& drive, world::NoiseStream& noise)
@@ -33,7 +33,7 @@ WheelErrors::WheelErrors(const world::DriveParams& drive, world::NoiseStream& no
       turn_scale_(drive_scale_ / (1.0 + drive.track_stddev * noise.normal())),
       bend_rad_per_m_(drive.wheel_mismatch_stddev * noise.normal() / drive.track_m) {}
 
-Pose2 WheelErrors::told(double turn_rad, double drive_m) {
+Pose2 WheelErrors::measured(double turn_rad, double drive_m) {
   const auto slip_m = [&](double rolled_m) {
     return drive_.slip_m_per_sqrt_m * std::sqrt(std::abs(rolled_m)) * noise_.normal();
   };
@@ -72,7 +72,7 @@ void BounceRobot::step(double max_m) {
   if (touches()) {
     const double turn_rad = std::numbers::pi * (0.5 + noise_.uniform());
     T_world_robot_ = T_world_robot_ * Pose2(0.0, 0.0, turn_rad);
-    T_odom_robot_ = T_odom_robot_ * errors_.told(turn_rad, 0.0);
+    T_odom_robot_ = T_odom_robot_ * errors_.measured(turn_rad, 0.0);
     return;
   }
   double driven_m = 0.0;
@@ -81,7 +81,7 @@ void BounceRobot::step(double max_m) {
         world::pushed_out(room_, T_world_robot_ * Pose2(kLookM, 0.0, 0.0), robot_.body.radius_m);
     driven_m += kLookM;
   }
-  T_odom_robot_ = T_odom_robot_ * errors_.told(0.0, driven_m);
+  T_odom_robot_ = T_odom_robot_ * errors_.measured(0.0, driven_m);
   bumps_ += touches() ? 1 : 0;
 }
 

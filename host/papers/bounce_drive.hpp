@@ -14,14 +14,14 @@ namespace echomap::papers {
 /// The body of hil_mock/robots/create.toml.
 world::RobotParams create_robot();
 
-/// How the wheels of one simulated Create err in one run: a scale of drives and of turns that stays
-/// and slip that grows with the way.
+/// Odometry errors of one simulated Create in one run: constant scales of drives and turns, and
+/// slip that grows with the distance.
 class WheelErrors {
  public:
   WheelErrors(const world::DriveParams& drive, world::NoiseStream& noise);
 
-  /// What the odometry says of a turn on the spot and then a drive.
-  geometry::Pose2 told(double turn_rad, double drive_m);
+  /// Motion that the odometry measures for a turn on the spot and then a drive.
+  geometry::Pose2 measured(double turn_rad, double drive_m);
 
  private:
   const world::DriveParams& drive_;
@@ -35,14 +35,14 @@ class WheelErrors {
 /// (Mukherjee et al., section V: "moves in a random manner").
 class BounceRobot {
  public:
-  /// Stands anywhere in the room, which must outlive this.
+  /// Places the robot anywhere in the room, which must outlive this.
   BounceRobot(const world::FloorPlan& room, std::uint32_t seed);
 
   /// Drives on by up to `max_m`, or turns where it has bumped.
   void step(double max_m);
-  /// What it feels where it is.
+  /// Readings of its contacts where it is.
   models::ContactReading contacts() const;
-  /// To somewhere else; the odometry does not notice.
+  /// Moves it to somewhere else; the odometry does not notice.
   void be_carried_off();
 
   const geometry::Pose2& T_world_robot() const { return T_world_robot_; }

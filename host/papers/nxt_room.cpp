@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/papers/nxt_room.hpp"
+#include "host/papers/nxt_room.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -8,12 +8,14 @@
 
 #include "hil_mock/world/robot_file.hpp"
 #include "hil_mock/world/sonar_physics.hpp"
+#include "host/files/bundled_files.hpp"
 #include "host/files/toml_reader.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/localization/localizer_preset.hpp"
 #include "host/localization/point_cloud_view.hpp"
 #include "host/localization/view_model.hpp"
 #include "host/models/gaussian_range.hpp"
+#include "host/papers/room_picture.hpp"
 
 namespace echomap::papers {
 
@@ -32,7 +34,7 @@ constexpr double kForwardStddevM = 0.0005;
 constexpr double kClearanceM = 0.15;
 
 world::SonarParams nxt_sonar() {
-  const std::string file = std::string(ECHOMAP_SOURCE_DIR) + "/hil_mock/robots/nxt_tribot.toml";
+  const auto file = files::bundled_file("nxt_tribot", "hil_mock/robots", "body");
   return world::read_robot(files::TomlReader::load(file)).sonar;
 }
 
@@ -145,11 +147,14 @@ NxtOutcome outcome_of(const localization::PoseHypothesis& found,
   const Pose2 T_world_middle(middle_m.x(), middle_m.y(), 0.0);
   const Pose2 twin =
       T_world_middle * Pose2(0.0, 0.0, std::numbers::pi) * T_world_middle.inverse() * truth;
-  return {(found.T_map_robot.position_m() - truth.position_m()).norm(),
-          heading_off(found.T_map_robot, truth),
-          (found.T_map_robot.position_m() - twin.position_m()).norm(),
-          heading_off(found.T_map_robot, twin),
-          std::sqrt(found.covariance.topLeftCorner<2, 2>().trace())};
+  NxtOutcome outcome;
+  outcome.error_m = (found.T_map_robot.position_m() - truth.position_m()).norm();
+  outcome.heading_error_rad = heading_off(found.T_map_robot, truth);
+  outcome.twin_error_m = (found.T_map_robot.position_m() - twin.position_m()).norm();
+  outcome.twin_heading_error_rad = heading_off(found.T_map_robot, twin);
+  outcome.stddev_m = std::sqrt(found.covariance.topLeftCorner<2, 2>().trace());
+  outcome.T_world_robot = truth;
+  return outcome;
 }
 
 }  // namespace
@@ -185,18 +190,25 @@ NxtOutcome localize_nxt(const world::FloorPlan& room,
       floor_of(room), localization::PointCloudView(cloud_m), models::GaussianRange(range));
   localization::MonteCarloLocalizer localizer(model, nxt_params_of(trial), std::mt19937(seed));
   TriBot robot(room, seed);
+  std::vector<Eigen::Vector2d> first_m;
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<RangeReading> readings = robot.look_around();
-    const std::size_t at_once = trial.draws_after_each_reading ? 1 : readings.size();
+    const std::size_t at_once = trial.resamples_after_each_reading ? 1 : readings.size();
     for (std::size_t i = 0; i < readings.size(); i += at_once) {
       localizer.update(robot.T_odom_robot(), std::span(readings).subspan(i, at_once));
+    }
+    if (round == 0) {
+      first_m = positions_of(localizer.particles());
     }
     robot.move();
     localizer.update(robot.T_odom_robot(), {});
   }
-  return outcome_of(localizer.belief().hypotheses.at(0),
-                    robot.T_world_robot(),
-                    box_around(room.room_m()).at(0.5, 0.5));
+  NxtOutcome outcome = outcome_of(localizer.belief().hypotheses.at(0),
+                                  robot.T_world_robot(),
+                                  box_around(room.room_m()).at(0.5, 0.5));
+  outcome.first_particles_m = std::move(first_m);
+  outcome.last_particles_m = positions_of(localizer.particles());
+  return outcome;
 }
 
 }  // namespace echomap::papers

@@ -7,31 +7,36 @@
 #include <Eigen/Core>
 
 #include "hil_mock/world/floor_plan.hpp"
+#include "host/geometry/pose2.hpp"
 
 namespace echomap::papers {
 
-/// What is tried of Singh and Bedi 2013, section 4. Without change, it is the paper's text.
+/// Settings of the particle filter of Singh and Bedi 2013, section 4; as told by default.
 struct NxtTrial {
   std::size_t particles = 250;
   double sense_stddev_m = 0.03;
-  /// As Algorithm 1 is printed: particles are drawn after each reading (line 33 stands in the loop
-  /// of line 6), not after the eight that equation (1) multiplies.
-  bool draws_after_each_reading = false;
-  /// Spread of what is drawn; the paper has none.
+  /// As Algorithm 1 is printed: particles are resampled after each reading (line 33 stands in the
+  /// loop of line 6), not after the eight that equation (1) multiplies.
+  bool resamples_after_each_reading = false;
+  /// Standard deviations added to resampled particles; the paper adds none.
   double spread_m = 0.0;
   double spread_rad = 0.0;
 };
 
-/// Where the particles are after 10 rounds of 8 readings, a turn by 20 degrees and 6 cm.
+/// Result after 10 rounds of 8 readings, a turn by 20 degrees and 6 cm.
 struct NxtOutcome {
   double error_m = 0.0;
   double heading_error_rad = 0.0;
-  /// The same against where a robot would be that hears the same in a room turned by half: an
-  /// empty rectangle cannot be told from that.
+  /// Errors against the pose with the same echoes in the room turned by half a turn: an empty
+  /// rectangle is symmetric.
   double twin_error_m = 0.0;
   double twin_heading_error_rad = 0.0;
-  /// Of the particles, as the filter has it.
+  /// Standard deviation of the particles' positions, both axes together.
   double stddev_m = 0.0;
+  geometry::Pose2 T_world_robot;  ///< In truth, at the end.
+  /// Positions of the particles after the first eight readings, and at the end; world frame.
+  std::vector<Eigen::Vector2d> first_particles_m;
+  std::vector<Eigen::Vector2d> last_particles_m;
 };
 
 /// The map of section 3.1: echoes of 120 readings from each of five places, metres in the world

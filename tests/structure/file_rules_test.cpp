@@ -65,6 +65,7 @@ const std::vector<std::string> without_own_test{
     "host/apps/fleet_watch.cpp",
     "host/apps/flash_command.cpp",
     "host/apps/localize_run.cpp",
+    "host/apps/paper_command.cpp",
     "host/apps/search_command.cpp",
     "host/console/interrupt.cpp",
     "host/fleet_member/fleet_member.cpp",

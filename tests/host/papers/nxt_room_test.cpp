@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Singh and Bedi 2013, section 4: the robot that was carried off is looked for by 250 particles in
 // the cloud of echoes that it has mapped before, with ten rounds of eight readings.
+#include "host/papers/nxt_room.hpp"
+
 #include <algorithm>
 #include <iostream>
 #include <string>
@@ -9,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include "host/geometry/angle.hpp"
-#include "tests/papers/nxt_room.hpp"
 #include "tests/support/offline_exploration.hpp"
 
 namespace echomap::papers {
@@ -72,8 +73,8 @@ TEST(Paper000Localization, IsSurerThanItIsRight) {
 }
 
 TEST(Paper000Localization, IsWorseAsItsAlgorithmIsPrinted) {
-  const NxtRates printed =
-      nxt_rates_of("250 particles, drawn after each reading", {.draws_after_each_reading = true});
+  const NxtRates printed = nxt_rates_of("250 particles, drawn after each reading",
+                                        {.resamples_after_each_reading = true});
   EXPECT_LT(printed.about, as_told().about - 10);
 }
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "host/papers/paper_list.hpp"
+
+#include <functional>
+#include <map>
+
+#include "host/papers/paper_000.hpp"
+#include "host/papers/paper_001.hpp"
+
+namespace echomap::papers {
+namespace {
+
+using Repeat = std::function<paper_report::PaperReport(const PaperSettings&)>;
+
+const std::map<std::string, Repeat>& papers() {
+  static const std::map<std::string, Repeat> by_number{{"000", paper_000}, {"001", paper_001}};
+  return by_number;
+}
+
+}  // namespace
+
+std::vector<std::string> paper_numbers() {
+  std::vector<std::string> numbers;
+  for (const auto& [number, repeat] : papers()) {
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+paper_report::PaperReport repeat_paper(const std::string& number, const PaperSettings& settings) {
+  return papers().at(number)(settings);
+}
+
+}  // namespace echomap::papers
