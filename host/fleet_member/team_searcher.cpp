@@ -7,6 +7,7 @@
 #include "host/exploration/company.hpp"
 #include "host/geometry/parameter_validator.hpp"
 #include "host/team_exploration/claims.hpp"
+#include "host/time/robot_seconds.hpp"
 
 namespace echomap::fleet_member {
 
@@ -64,7 +65,7 @@ Motion TeamSearcher::decide(const Snapshot& snapshot,
   }
   const bool is_driving = search_->is_driving() || avoidance_.is_making_way();
   if (is_driving && avoidance_.has_run_into_peer(snapshot, view, last)) {
-    return avoidance_.back_off();
+    return avoidance_.back_off(snapshot);
   }
   if (auto motion = avoidance_.next(snapshot, view, last)) {
     return *motion;
@@ -72,7 +73,8 @@ Motion TeamSearcher::decide(const Snapshot& snapshot,
   if (avoidance_.wants_another_goal()) {
     search_->reconsider();
   }
-  const exploration::Company company = avoidance_.company(view);
+  const exploration::Company company =
+      avoidance_.company(view, time::robot_seconds(snapshot.latest.stamp));
   search_->set_company(company);
   search_->set_plans_of_others(others.plans);
   search_->set_readings(all_readings(snapshot, others));

@@ -79,6 +79,7 @@ pre {
 footer { margin-top: 3em; font-size: 0.95em; }
 @media screen and (max-width: 36rem) {
   .pictures { grid-template-columns: 1fr; }
+  small.interval { white-space: normal; }
 }
 @page { size: A4; margin: 18mm; }
 @page { @bottom-center { content: counter(page); font: 9pt serif; } }

@@ -37,7 +37,8 @@ Avoidance::Avoidance(const AvoidanceParams& params)
       .positive("turn_s", params.turn_s)
       .at_least("min_aside_s", params.min_aside_s, 0.0)
       .at_least("max_aside_s", params.max_aside_s, params.min_aside_s)
-      .at_least("back_off_m", params.back_off_m, 0.0);
+      .at_least("back_off_m", params.back_off_m, 0.0)
+      .at_least("bump_memory_s", params.bump_memory_s, 0.0);
 }
 
 std::string Avoidance::waits_for() const {
@@ -211,20 +212,28 @@ bool Avoidance::has_run_into_peer(const Snapshot& snapshot,
          });
 }
 
-Motion Avoidance::back_off() {
+Motion Avoidance::back_off(const Snapshot& snapshot) {
   ++encounters_.bumps;
+  const Eigen::Vector2d ahead_m(2.0 * params_.guard.robot_radius_m, 0.0);
+  bumps_.push_back(
+      {snapshot.latest.T_map_robot * ahead_m, time::robot_seconds(snapshot.latest.stamp)});
   held_.reset();
   wants_another_goal_ = true;
   return exploration::Drive{-params_.back_off_m};
 }
 
-exploration::Company Avoidance::company(const TeamView& view) const {
+exploration::Company Avoidance::company(const TeamView& view, double now_s) const {
   exploration::Company company = company_of(view);
   for (std::size_t i = 0; i < view.peers.size(); ++i) {
     if (stays(view.peers[i])) {
       exploration::OccupiedFloor& floor = company.standing[i];
       floor.is_closed = true;
       floor.radius_m = keep_off_m(view.peers[i]) - params_.guard.robot_radius_m;
+    }
+  }
+  for (const Bump& bump : bumps_) {
+    if (now_s - bump.since_s < params_.bump_memory_s) {
+      company.standing.push_back({bump.at_m, params_.guard.robot_radius_m, true});
     }
   }
   return company;

@@ -41,6 +41,9 @@ struct AvoidanceParams {
   double max_aside_s = 20.0;
   /// Distance that it backs off from a peer that it has run into.
   double back_off_m = 0.08;
+  /// Time for which it plans around the place where it has run into one: by the map of the two it
+  /// may be elsewhere.
+  double bump_memory_s = 60.0;
 };
 
 /// Counts of what meeting others came to.
@@ -72,13 +75,13 @@ class Avoidance {
                          const TeamView& view,
                          exploration::MotionResult last) const;
   /// The motion away from that peer.
-  exploration::Motion back_off();
+  exploration::Motion back_off(const pipeline::Snapshot& snapshot);
   /// Makes way for a robot that waits for this one; false where it need not, or cannot.
   bool make_way(const pipeline::Snapshot& snapshot, const TeamView& view);
 
   /// The other robots for planning: those that stay are obstacles with the room that they need; the
   /// rest is expected to move on.
-  exploration::Company company(const TeamView& view) const;
+  exploration::Company company(const TeamView& view, double now_s) const;
 
   bool is_making_way() const { return aside_.has_value(); }
   /// Name of the robot in its way; empty for none.
@@ -109,6 +112,11 @@ class Avoidance {
     Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
     std::size_t times = 0;
   };
+  /// Where it has run into a peer.
+  struct Bump {
+    Eigen::Vector2d at_m = Eigen::Vector2d::Zero();  ///< Middle of the peer, about.
+    double since_s = 0.0;
+  };
   /// State while another robot passes.
   struct Aside {
     std::string whom;
@@ -133,6 +141,7 @@ class Avoidance {
   std::optional<Held> held_;
   std::optional<Aside> aside_;
   std::map<std::string, LostPatience> lost_patience_;  ///< By robot.
+  std::vector<Bump> bumps_;
   bool wants_another_goal_ = false;
   Encounters encounters_;
 };

@@ -60,7 +60,7 @@ Motion TeamExplorer::next(const Snapshot& snapshot, MotionResult last) {
 Motion TeamExplorer::decide(const Snapshot& snapshot, MotionResult last) {
   const bool is_driving = frontier_.goal() || avoidance_.is_making_way();
   if (is_driving && avoidance_.has_run_into_peer(snapshot, view_, last)) {
-    return avoidance_.back_off();
+    return avoidance_.back_off(snapshot);
   }
   if (auto motion = avoidance_.next(snapshot, view_, last)) {
     return *motion;
@@ -100,7 +100,7 @@ Motion TeamExplorer::explore(const Snapshot& snapshot, MotionResult last) {
     avoidance_.make_way(snapshot, view_);
     return Stand{params_.avoidance.look_again_s};
   }
-  frontier_.set_company(avoidance_.company(view_));
+  frontier_.set_company(avoidance_.company(view_, now_s));
   const Motion motion = frontier_.next(snapshot, last);
   decided_by_ = view_.grid;
   const auto* finished = std::get_if<Finished>(&motion);

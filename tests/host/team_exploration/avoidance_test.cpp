@@ -214,9 +214,21 @@ TEST_F(AvoidanceTest, DistinguishesAPeerFromAWallWhenItBumps) {
 
 TEST_F(AvoidanceTest, GoesBackFromAPeerThatItHasRunInto) {
   Avoidance avoidance(named("a"));
-  EXPECT_LT(std::get<exploration::Drive>(avoidance.back_off()).distance_m, 0.0);
+  const Motion motion = avoidance.back_off(at_s(1.0));
+  EXPECT_LT(std::get<exploration::Drive>(motion).distance_m, 0.0);
   EXPECT_EQ(avoidance.encounters().bumps, 1U);
   EXPECT_TRUE(avoidance.wants_another_goal());
+}
+
+TEST_F(AvoidanceTest, PlansAroundWhereItHasRunIntoAPeerForAWhile) {
+  Avoidance avoidance(named("a"));
+  EXPECT_TRUE(avoidance.company(view, 1.0).standing.empty());
+  avoidance.back_off(at_s(1.0));
+  const auto standing = avoidance.company(view, 30.0).standing;
+  ASSERT_EQ(standing.size(), 1U);
+  EXPECT_TRUE(standing.front().is_closed);
+  EXPECT_NEAR(standing.front().at_m.x(), T_map_robot.x_m() + 0.18, 1e-9);
+  EXPECT_TRUE(avoidance.company(view, 62.0).standing.empty());
 }
 
 TEST_F(AvoidanceTest, RejectsParametersWithoutSense) {
