@@ -121,8 +121,8 @@ void add_run_options(CLI::App& command, RunOptions& run) {
       ->capture_default_str();
   command.add_flag("--as-told",
                    run.strategy.as_told,
-                   "Drive coastal to the letter of its paper: end by the angle about the start, "
-                   "bear away from a wall only at a bump (docs/algorithms/coastal.md)");
+                   "Drive nxt-farthest, coastal or tangent-bug to the letter of its paper, without "
+                   "our departures (docs/papers.md)");
   command.add_option("--seconds", run.strategy.seconds, "Duration of random-bounce, seconds")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -28,7 +28,8 @@ constexpr std::size_t kStartsPerRun = 3;
 Comparison explore_both(const PaperSettings& settings) {
   const std::vector<std::string> robot{"--world=nxt_room", "--robot=nxt_tribot", "--emulator=mock"};
   std::vector<std::string> as_told = robot;
-  as_told.insert(as_told.end(), {"--strategy=nxt-farthest", "--slam=none", "--no-kidnap"});
+  as_told.insert(as_told.end(),
+                 {"--strategy=nxt-farthest", "--as-told", "--slam=none", "--no-kidnap"});
   std::vector<std::string> ours = robot;
   ours.emplace_back("--strategy=frontier");
   return {explore(settings, "000_farthest", "exploring as told", as_told),
@@ -70,7 +71,7 @@ Experiment exploration(const PaperSettings& settings, const Comparison& runs) {
       "120 readings in two turns, every 6 degrees; then a turn towards one of the four farthest "
       "echoes, chosen at random, and half of the distance to it (section 3.2). Poses are odometry "
       "alone, and the map is the cloud of all echoes. The paper does not say when it ends: here, "
-      "when three stops in a row have shown no new floor.";
+      "when two stops in a row have shown no new floor.";
   experiment.our_way =
       "The same robot in the same room with our frontier exploration: it drives where a look shows "
       "most floor for its time, aligns its walls by graph SLAM, and ends when nothing is unseen.";
@@ -207,13 +208,13 @@ std::vector<Finding> kidnap_findings(const std::vector<NxtOutcome>& told,
                   percent_of(told, is_about),
                   std::nullopt),
           finding("sure and wrong",
-                  "-",
+                  "",
                   "not judged",
                   percent_of(told, is_sure_and_wrong),
                   percent(kidnaps.wrong, kidnaps.runs)),
           finding("right, resampled after each reading as printed",
                   "Algorithm 1, line 33",
-                  "-",
+                  "no figure given",
                   percent_of(printed, is_near),
                   std::nullopt)};
 }

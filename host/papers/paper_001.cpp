@@ -54,7 +54,7 @@ std::vector<Finding> findings_of(const Comparison& runs, const std::string& aren
                     100.0,
                     "cm",
                     1}),
-          compared(runs, {arena + ": robot time", "-", "not given", "/sim_seconds", 1.0, "s", 0})};
+          compared(runs, {arena + ": robot time", "", "not given", "/sim_seconds", 1.0, "s", 0})};
 }
 
 Experiment outlines(const PaperSettings& settings) {

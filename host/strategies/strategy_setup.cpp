@@ -42,6 +42,10 @@ ExplorerPtr make_nxt_farthest(const RobotProfile& profile,
                               std::mt19937& random) {
   auto params = nxt_farthest_params(profile, options.stops);
   params.scans = options.scans;
+  if (options.as_told) {
+    params.candidate_spread_rad = 0.0;
+    params.stop_spacing_m = 0.0;
+  }
   return std::make_unique<exploration::NxtFarthest>(params, random);
 }
 
@@ -53,8 +57,9 @@ ExplorerPtr make_tangent_bug(const RobotProfile& profile,
                        "strategy 'tangent-bug' needs waypoints\n"
                        "  next: --waypoints playground, or a TOML file of your room");
   }
-  return std::make_unique<exploration::TangentBug>(tangent_bug_params(profile),
-                                                   load_course(options.waypoints));
+  const exploration::TangentBugParams ours = tangent_bug_params(profile);
+  return std::make_unique<exploration::TangentBug>(
+      options.as_told ? exploration::as_printed(ours) : ours, load_course(options.waypoints));
 }
 
 ExplorerPtr make_frontier(const RobotProfile& profile,

@@ -29,8 +29,9 @@ struct StrategyOptions {
   std::string waypoints;  ///< Course of tangent-bug: a bundled name or a TOML file; empty: none.
   std::string stop_list;  ///< Places of stops: a TOML file; empty: none.
   std::string hand = "right";  ///< Or "left": which is held to the wall.
-  bool as_told = false;        ///< coastal to the letter of its paper.
-  double seconds = 120.0;      ///< How long random-bounce drives.
+  /// nxt-farthest, coastal and tangent-bug to the letter of their papers.
+  bool as_told = false;
+  double seconds = 120.0;  ///< How long random-bounce drives.
 };
 
 /// What of the options ends an exploration at the latest.
