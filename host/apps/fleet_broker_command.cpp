@@ -40,7 +40,7 @@ std::vector<std::string> host_names(const FleetBrokerOptions& options) {
   if (!options.host_names.empty()) {
     return options.host_names;
   }
-  if (options.address == "0.0.0.0" || options.address == "::") {
+  if (broker::is_unspecified(options.address)) {
     throw CommandError(ExitCode::kUsage,
                        "robots' hosts need a name or an address of this machine to connect to\n"
                        "  next: add --name, such as --name 192.168.1.7 (hostname -I lists them)");
@@ -57,6 +57,12 @@ broker::BrokerSettings broker_settings(const FleetBrokerOptions& options) {
   settings.tls = true;
   settings.host_names = host_names(options);
   for (const std::string& robot : options.robots) {
+    if (robot == kHub || robot == kObserver) {
+      throw CommandError(ExitCode::kUsage,
+                         fmt::format("--robots {}: 'hub' and 'watch' are accounts of the broker's "
+                                     "own\n  next: name the robot otherwise",
+                                     robot));
+    }
     settings.users.push_back({robot, ""});
   }
   settings.users.push_back({kHub, ""});
@@ -71,7 +77,8 @@ broker::BrokerSettings broker_settings(const FleetBrokerOptions& options) {
 }
 
 void refuse_another_folder(const fs::path& folder) {
-  if (exists(folder) && !exists(folder / "mosquitto.conf") && !fs::is_empty(folder)) {
+  const bool is_a_brokers = exists(folder / "rights.acl") || exists(folder / "tls");
+  if (exists(folder) && !is_a_brokers && !fs::is_empty(folder)) {
     throw CommandError(
         ExitCode::kUsage,
         folder.string() + " has other files, and none of a broker\n  next: name a new folder");

@@ -112,13 +112,17 @@ void add_fleet_broker(CLI::App& fleet, CommandAction& action) {
   CLI::App* command =
       fleet.add_subcommand("broker", "Run a broker with TLS for robots on other machines");
   const auto options = std::make_shared<FleetBrokerOptions>();
-  command->add_option("--robots", options->robots, "Names of the robots, with commas between them")
+  command
+      ->add_option("--robots",
+                   options->robots,
+                   "Names of the robots, with commas between them; not hub and watch")
       ->delimiter(',')
       ->required();
   command->add_option("--fleet", options->fleet, "Name of the fleet")->capture_default_str();
   command->add_option("--address", options->address, "Address of this machine that it listens on")
       ->capture_default_str();
-  command->add_option("--port", options->port, "TCP port; 0: any free one")->capture_default_str();
+  command->add_option("--port", options->port, "TCP port; 0: any free one, another at each start")
+      ->capture_default_str();
   command
       ->add_option("--name",
                    options->host_names,

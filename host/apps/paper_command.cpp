@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <cctype>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "host/apps/commands.hpp"
 #include "host/apps/report.hpp"
+#include "host/console/interrupt.hpp"
 #include "host/console/print.hpp"
 #include "host/console/progress_bar.hpp"
 #include "host/console/shell_line.hpp"
@@ -27,6 +30,18 @@ std::string words_of(const std::optional<Measured>& measured, const Finding& fin
                   : "-";
 }
 
+/// RFC 8089: a path as a link, all but letters, digits and -._~/ in percent code.
+std::string file_url(const std::filesystem::path& path) {
+  std::string url = "file://";
+  for (const unsigned char c : std::filesystem::absolute(path).string()) {
+    const bool is_plain =
+        std::isalnum(c) != 0 ||
+        std::string_view("-._~/").find(static_cast<char>(c)) != std::string_view::npos;
+    url += is_plain ? std::string(1, static_cast<char>(c)) : fmt::format("%{:02X}", c);
+  }
+  return url;
+}
+
 void print_findings(const paper_report::PaperReport& report) {
   for (const paper_report::Experiment& experiment : report.experiments) {
     console::print(fmt::format("{:<48} {:<34} {}", experiment.title, "as told", "our way"));
@@ -44,6 +59,12 @@ void print_findings(const paper_report::PaperReport& report) {
 
 ExitCode run_paper(const PaperOptions& options) {
   const auto out = std::filesystem::absolute(run_folder(options.out));
+  if (exists(out / "report.json") && !options.force) {
+    throw CommandError(ExitCode::kUsage,
+                       out.string() +
+                           " has a report\n  next: name another folder with --out, or "
+                           "add --force to replace it");
+  }
   prepare_outputs(out, options.json, options.force);
   console::ProgressBar bar(stderr, !options.headless);
   papers::PaperSettings settings;
@@ -51,6 +72,9 @@ ExitCode run_paper(const PaperOptions& options) {
   settings.runs = options.runs;
   settings.out = out;
   settings.progress = [&](const std::string& what, std::size_t ended, std::size_t runs) {
+    if (console::interrupted()) {
+      throw CommandError(ExitCode::kInterrupted, "interrupted: no report is written");
+    }
     bar.show(static_cast<double>(ended) / static_cast<double>(runs), what);
   };
   paper_report::PaperReport report = papers::repeat_paper(options.number, settings);
@@ -59,7 +83,7 @@ ExitCode run_paper(const PaperOptions& options) {
   report.command = fmt::format(
       "echomap paper {} --seed {} --runs {}", options.number, options.seed, options.runs);
   const auto root = files::bundled_folder("host").parent_path();
-  const paper_report::SourceLines source_lines(root, "file://" + root.string() + "/");
+  const paper_report::SourceLines source_lines(root, file_url(root) + "/");
   paper_report::write_report(out, report, source_lines);
   print_findings(report);
   write_report(options.json,

@@ -121,8 +121,8 @@ void add_run_options(CLI::App& command, RunOptions& run) {
       ->capture_default_str();
   command.add_flag("--as-told",
                    run.strategy.as_told,
-                   "Drive nxt-farthest, coastal or tangent-bug to the letter of its paper, without "
-                   "our departures (docs/papers.md)");
+                   "Leave out those of our departures from the paper of nxt-farthest, coastal or "
+                   "tangent-bug that a parameter can switch off (docs/papers.md)");
   command.add_option("--seconds", run.strategy.seconds, "Duration of random-bounce, seconds")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/broker/broker.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -91,12 +92,25 @@ std::vector<std::string> certified_hosts(const BrokerSettings& settings) {
   return hosts;
 }
 
+/// A file of an account that is gone would bring its password back with the account's name.
+void remove_others(const fs::path& members, const std::vector<BrokerUser>& users) {
+  for (const auto& entry : fs::directory_iterator(members)) {
+    const bool is_known = std::ranges::any_of(
+        users, [&](const BrokerUser& user) { return entry.path().stem() == user.name; });
+    if (entry.path().extension() == ".toml" && !is_known) {
+      fs::remove(entry.path());
+    }
+  }
+}
+
 void make_private_folder(const fs::path& folder) {
   fs::create_directories(folder);
   fs::permissions(folder, fs::perms::owner_all);
 }
 
 }  // namespace
+
+bool is_unspecified(const std::string& address) { return address_of(address).is_unspecified(); }
 
 Broker::Broker(const BrokerSettings& settings, const fs::path& folder)
     : settings_(settings), folder_(fs::absolute(folder)) {
@@ -206,6 +220,7 @@ void Broker::write_members() const {
   if (certificates_) {
     fs::copy_file(certificates_->ca, members / kCaFile, fs::copy_options::overwrite_existing);
   }
+  remove_others(members, settings_.users);
   for (const BrokerUser& user : settings_.users) {
     Credentials credentials = this->credentials(user.name);
     credentials.ca_file = certificates_ ? kCaFile : "";

@@ -16,6 +16,10 @@
 
 namespace echomap::broker {
 
+/// Whether that is an address of no machine in particular, as 0.0.0.0. Throws console::CommandError
+/// kConfigInvalid where it is no IP address.
+bool is_unspecified(const std::string& address);
+
 /// A Mosquitto broker as a child of this process. Its folder, which only this user can read, has
 /// all that it is made of:
 ///

@@ -64,7 +64,8 @@ Motion TeamSearcher::decide(const Snapshot& snapshot,
     return Finished{FinishReason::kComplete};
   }
   const bool is_driving = search_->is_driving() || avoidance_.is_making_way();
-  if (is_driving && avoidance_.has_run_into_peer(snapshot, view, last)) {
+  const bool has_run_into_peer = avoidance_.has_run_into_peer(snapshot, view, last);
+  if (is_driving && has_run_into_peer) {
     return avoidance_.back_off(snapshot);
   }
   if (auto motion = avoidance_.next(snapshot, view, last)) {
@@ -73,12 +74,17 @@ Motion TeamSearcher::decide(const Snapshot& snapshot,
   if (avoidance_.wants_another_goal()) {
     search_->reconsider();
   }
-  const exploration::Company company =
-      avoidance_.company(view, time::robot_seconds(snapshot.latest.stamp));
+  const double now_s = time::robot_seconds(snapshot.latest.stamp);
+  const exploration::Company company = avoidance_.company(view, now_s);
   search_->set_company(company);
   search_->set_plans_of_others(others.plans);
   search_->set_readings(all_readings(snapshot, others));
-  return avoidance_.checked(snapshot, view, search_->next(known_to_all(snapshot, company), last));
+  const Motion motion = search_->next(known_to_all(snapshot, company), last);
+  const bool may_change = avoidance_.plans_around_bump(now_s) && !search_->has_ended();
+  if (may_change && std::holds_alternative<Finished>(motion)) {
+    return exploration::Stand{params_.avoidance.look_again_s};
+  }
+  return avoidance_.checked(snapshot, view, motion);
 }
 
 /// Returns all readings in the order in which they came: those behind the known ones are new. Where

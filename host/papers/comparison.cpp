@@ -76,7 +76,9 @@ std::vector<Eigen::Vector2d> points_of(const ExplorationRun& run,
     std::istringstream fields(line);
     Eigen::Vector2d point_m;
     char comma = ',';
-    fields >> point_m.x() >> comma >> point_m.y();
+    if (!(fields >> point_m.x() >> comma >> point_m.y())) {
+      throw files::FileError((run.folder / file).string() + ": no point in '" + line + "'");
+    }
     points_m.push_back(T_world_map * point_m);
   }
   return points_m;

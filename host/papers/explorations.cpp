@@ -4,7 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
-#include <stdexcept>
+#include <sstream>
 
 #include "host/console/exit_code.hpp"
 #include "host/console/interrupt.hpp"
@@ -42,11 +42,14 @@ Job start(const Explorations& explorations, const fs::path& folder, std::size_t 
   return job;
 }
 
+/// The last line of a log that does not say what to do next.
 std::string last_line(const fs::path& log) {
-  const std::string text = files::read_text_file(log);
-  const auto end = text.find_last_not_of('\n');
-  const auto begin = text.rfind('\n', end);
-  return text.substr(begin == std::string::npos ? 0 : begin + 1, end - begin);
+  std::istringstream lines(files::read_text_file(log));
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    last = line.empty() || line.starts_with("  ") ? last : line;
+  }
+  return last;
 }
 
 ExplorationRun result_of(const Job& job, int status) {

@@ -99,10 +99,10 @@ Experiment exploration(const PaperSettings& settings, const Comparison& runs) {
                            "host/exploration/frontier.cpp",
                            "Motion Frontier::next"}};
   experiment.open = {
-      "No dimension of the room, no error and no time is given; here the room is 2.8 "
-      "x 2.2 m, as large as a sonar of 2.3 m can survey.",
+      "No dimension of the room, no error and no total time is given; here the room is 2.8 x 2.2 "
+      "m, as large as a sonar of 2.3 m can survey.",
       "When the exploration ends is not said.",
-      "Ghost echoes are kept out of the map by eye; our map has a model of the cone."};
+      "Ghost echoes stay in the paper's map; ours has a model of the cone."};
   return experiment;
 }
 
@@ -231,11 +231,15 @@ Experiment localization(const PaperSettings& settings, const std::vector<Explora
   experiment.as_told =
       "250 particles over the room; ten rounds of eight readings 45 degrees apart, a turn by 20 "
       "degrees and 6 cm. Noise of 3 cm for a reading, 0.25 degrees for a turn and 0.5 mm for a "
-      "drive; the resampling wheel after each round (sections 4.3 to 4.5). The map is a cloud of "
-      "600 echoes from five places of an empty room. A pose is right within 15 cm and 10 degrees.";
+      "drive; the resampling wheel after each round (sections 4.3 to 4.5). The map is the cloud of "
+      "600 readings from five true places of an empty room of 2.5 x 2 m. A pose is right within 15 "
+      "cm and 10 degrees, or where it would be right after half a turn of the room, which cannot "
+      "be told apart.";
   experiment.our_way =
-      "The same robot is carried off in the room that it has mapped itself, and localized in its "
-      "own map by whole sweeps, as echomap demo does; it says when it is sure.";
+      "The same robot is carried off in the room of the first experiment, which is unlike itself "
+      "after half a turn, and localized in the map that it has made of it, by whole sweeps; it "
+      "says "
+      "when it is sure. Runs whose map is unfinished are not carried off, and do not count.";
   experiment.answer =
       "About, and it does not know how well. The product of eight narrow densities leaves one "
       "particle, and noise of half a millimetre never spreads its copies again: whatever it is off "
@@ -272,7 +276,7 @@ paper_report::PaperReport paper_000(const PaperSettings& settings) {
   report.title = "Map Construction and Localization Using LEGO Mindstorms NXT";
   report.authors = "Jasmeet Singh and Punam Bedi, 2013";
   report.summary =
-      "A LEGO robot with one sonar on a motor maps an empty room by what it hears farthest, and "
+      "A LEGO robot with one sonar on a motor maps an empty room by the farthest echoes, and "
       "finds itself again in that map with 250 particles.";
   report.experiments = {exploration(settings, runs), localization(settings, runs.ours)};
   report.seed = settings.seed;

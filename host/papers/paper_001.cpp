@@ -39,7 +39,7 @@ Comparison trace(const PaperSettings& settings, const std::string& arena) {
 std::vector<Finding> findings_of(const Comparison& runs, const std::string& arena) {
   const std::string corners = "/outline_corners";
   const std::string in_the_room = "/room_corners";
-  return {{arena + ": runs with all corners and no other",
+  return {{arena + ": runs with as many corners as the room",
            "figure 8",
            "shown once",
            percent_equal(runs.as_told, corners, in_the_room),
@@ -63,12 +63,13 @@ Experiment outlines(const PaperSettings& settings) {
   Experiment experiment;
   experiment.title = "The outline of a room by its walls";
   experiment.question =
-      "Can a robot that only feels walls draw the outline of its room, reflex corners included?";
+      "Can a robot that only touches walls draw the outline of its room, reflex corners included?";
   experiment.as_told =
       "A Create follows the wall on its right, every 70 ms: at a bump it spins left by 25 degrees, "
       "without a wall at its sensor it turns right, otherwise it drives ahead at 60 mm/s. Bump and "
       "virtual wall together are a non-reflex corner, a long right turn is a reflex one. It ends "
-      "when the angle about the start is a full turn (section IV).";
+      "when the angle about the start is a full turn (section IV). The outline is made of the "
+      "points on the walls, which the paper's path of the robot only runs along.";
   experiment.our_way =
       "The same walk, but the robot keeps a centimetre off the wall, ends where it first touched "
       "it, walks on past the first corner, and spreads the error between both passes evenly over "
@@ -188,7 +189,8 @@ Experiment localization(const PaperSettings& settings) {
       "resampled: 2,000 particles.";
   experiment.answer =
       "As told, rarely. Each contact leaves a few particles, and the alphas spread them by less "
-      "than the odometry errs, so that none is right in the end, or all have left the room. With "
+      "than the odometry errs, so that few are right in the end, and all may have left the room. "
+      "With "
       "some spread, mostly.";
   experiment.findings = {{"localized within 15 cm and 10 degrees",
                           "figure 9",
@@ -237,11 +239,13 @@ Experiment odometry(const PaperSettings& settings) {
   std::vector<double> alpha1_deg;
   std::vector<double> alpha2_deg;
   std::vector<double> alpha3_mm;
+  std::vector<double> alpha4_mm;
   for (std::size_t i = 0; i < settings.runs; ++i) {
     const auto alphas = mean_odometry_errors(settings.seed + static_cast<std::uint32_t>(i));
     alpha1_deg.push_back(geometry::degrees(alphas.alpha1_rad_per_m) * 0.36);
     alpha2_deg.push_back(360.0 * alphas.alpha2);
     alpha3_mm.push_back(1000.0 * alphas.alpha3);
+    alpha4_mm.push_back(1000.0 * geometry::radians(360.0) * alphas.alpha4_m_per_rad);
   }
   const auto told = [](const std::string& quantity,
                        const std::string& paper,
@@ -263,11 +267,14 @@ Experiment odometry(const PaperSettings& settings) {
       "70 drives of 360 mm and 70 turns by 360 degrees, here of simulated Creates whose wheels, "
       "track and slip vary; the mean absolute error of each (section VI).";
   experiment.answer =
-      "Of the paper's size for turns. The simulated wheels are truer than the paper's on a drive.";
+      "Within a factor of two of the paper's for the angles. The simulated wheels are truer than "
+      "the "
+      "paper's on a drive, and a simulated turn on the spot never moves the robot.";
   experiment.findings = {
       told("turn error of a drive of 360 mm", "0.3 degrees", alpha1_deg, "degrees", 2),
       told("turn error of a turn by 360 degrees", "1 degree", alpha2_deg, "degrees", 2),
-      told("drive error of a drive of 1 m", "26 mm", alpha3_mm, "mm", 1)};
+      told("drive error of a drive of 1 m", "26 mm", alpha3_mm, "mm", 1),
+      told("drive error of a turn by 360 degrees", "0.07 mm", alpha4_mm, "mm", 2)};
   experiment.equations = {{"the alphas",
                            "mean absolute error by drive or turn",
                            "host/papers/contact_localization.cpp",

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <stdexcept>
 
 #include "host/papers/paper_000.hpp"
 #include "host/papers/paper_001.hpp"
@@ -28,6 +29,9 @@ std::vector<std::string> paper_numbers() {
 }
 
 paper_report::PaperReport repeat_paper(const std::string& number, const PaperSettings& settings) {
+  if (settings.runs == 0) {
+    throw std::invalid_argument("papers: runs = 0 is below 1");
+  }
   return papers().at(number)(settings);
 }
 

@@ -13,7 +13,7 @@ namespace echomap::papers {
 std::vector<std::string> paper_numbers();
 
 /// Repeats the experiments of the paper with that number. Throws std::out_of_range where there is
-/// none, and as `run_explorations`.
+/// none, std::invalid_argument for no runs, and as `run_explorations`.
 paper_report::PaperReport repeat_paper(const std::string& number, const PaperSettings& settings);
 
 }  // namespace echomap::papers

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cassert>
 #include <functional>
 #include <list>
 #include <memory>
@@ -94,8 +95,14 @@ class RobotContext {
   bool sonar_is_dead() const { return sonar_check_.is_dead(); }
   bool is_open() const { return session_ != nullptr; }
   /// After `open`.
-  RobotSession& session() { return *session_; }
-  const RobotSession& session() const { return *session_; }
+  RobotSession& session() {
+    assert(is_open());
+    return *session_;
+  }
+  const RobotSession& session() const {
+    assert(is_open());
+    return *session_;
+  }
   /// The clock of a simulated robot; null for one on a desk.
   transport::LockstepChannel* lockstep() { return lockstep_.get(); }
 

@@ -16,7 +16,7 @@ std::string lack_for_coastal(const session::RobotProfile& profile, exploration::
 exploration::CoastalParams coastal_params(const session::RobotProfile& profile,
                                           exploration::Hand hand);
 
-/// The same to the letter of Mukherjee et al., section IV: it ends when the angle about the start
+/// The same nearer to Mukherjee et al., section IV: it ends when the angle about the start
 /// is a full turn, and bears away from a wall only at a bump.
 exploration::CoastalParams as_told(exploration::CoastalParams params);
 

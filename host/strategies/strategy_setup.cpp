@@ -2,6 +2,7 @@
 #include "host/strategies/strategy_setup.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "host/console/exit_code.hpp"
@@ -42,11 +43,8 @@ ExplorerPtr make_nxt_farthest(const RobotProfile& profile,
                               std::mt19937& random) {
   auto params = nxt_farthest_params(profile, options.stops);
   params.scans = options.scans;
-  if (options.as_told) {
-    params.candidate_spread_rad = 0.0;
-    params.stop_spacing_m = 0.0;
-  }
-  return std::make_unique<exploration::NxtFarthest>(params, random);
+  return std::make_unique<exploration::NxtFarthest>(options.as_told ? as_told(params) : params,
+                                                    random);
 }
 
 ExplorerPtr make_tangent_bug(const RobotProfile& profile,
@@ -170,6 +168,10 @@ void refuse_strange_options(const StrategyOptions& options) {
   if (!options.stop_list.empty() && options.name != "stops") {
     refuse("--stop-list", "stops");
   }
+  constexpr std::array<std::string_view, 3> kTold{"nxt-farthest", "coastal", "tangent-bug"};
+  if (options.as_told && std::ranges::count(kTold, options.name) == 0) {
+    refuse("--as-told", "nxt-farthest");
+  }
 }
 
 }  // namespace
@@ -233,6 +235,12 @@ exploration::NxtFarthestParams nxt_farthest_params(const RobotProfile& profile,
   params.sweep.settle_s = profile.settle_s;
   params.robot_radius_m = profile.body_radius_m;
   params.max_stops = max_stops.value_or(kNoLimit);
+  return params;
+}
+
+exploration::NxtFarthestParams as_told(exploration::NxtFarthestParams params) {
+  params.candidate_spread_rad = 0.0;
+  params.stop_spacing_m = 0.0;
   return params;
 }
 

@@ -29,7 +29,7 @@ struct StrategyOptions {
   std::string waypoints;  ///< Course of tangent-bug: a bundled name or a TOML file; empty: none.
   std::string stop_list;  ///< Places of stops: a TOML file; empty: none.
   std::string hand = "right";  ///< Or "left": which is held to the wall.
-  /// nxt-farthest, coastal and tangent-bug to the letter of their papers.
+  /// Leaves out departures of nxt-farthest, coastal and tangent-bug from their papers.
   bool as_told = false;
   double seconds = 120.0;  ///< How long random-bounce drives.
 };
@@ -83,6 +83,9 @@ exploration::NavigatorParams navigator_params(const session::RobotProfile& profi
 /// What nxt-farthest has to know of a robot; without `max_stops` it makes as many as it takes.
 exploration::NxtFarthestParams nxt_farthest_params(const session::RobotProfile& profile,
                                                    std::optional<std::size_t> max_stops);
+/// The same without the spread of the four candidates and without a memory of stops (Singh and Bedi
+/// 2013, section 3.2).
+exploration::NxtFarthestParams as_told(exploration::NxtFarthestParams params);
 
 /// What tangent-bug has to know of a robot.
 exploration::TangentBugParams tangent_bug_params(const session::RobotProfile& profile);

@@ -53,6 +53,7 @@ bool Avoidance::wants_another_goal() { return std::exchange(wants_another_goal_,
 std::optional<Motion> Avoidance::next(const Snapshot& snapshot,
                                       const TeamView& view,
                                       MotionResult last) {
+  forget_peers_that_moved(view);
   if (aside_) {
     aside_->has_arrived = aside_->has_arrived || exploration::is_stopped(snapshot, last);
     if (auto motion = go_aside(snapshot, view)) {
@@ -106,6 +107,14 @@ Motion Avoidance::wait(const Snapshot& snapshot, const TeamView& view, double no
     wants_another_goal_ = true;
   }
   return Stand{params_.look_again_s};
+}
+
+void Avoidance::forget_peers_that_moved(const TeamView& view) {
+  for (const Peer& peer : view.peers) {
+    if (times_in_vain(peer) == 0) {
+      lost_patience_.erase(peer.robot);
+    }
+  }
 }
 
 void Avoidance::lose_patience(const TeamView& view, const std::string& whom) {
@@ -203,8 +212,11 @@ bool Avoidance::has_passed(const Snapshot& snapshot, const TeamView& view) const
 
 bool Avoidance::has_run_into_peer(const Snapshot& snapshot,
                                   const TeamView& view,
-                                  MotionResult last) const {
+                                  MotionResult last) {
   constexpr double kReachM = 0.15;
+  if (std::exchange(backs_off_, false)) {
+    return false;
+  }
   const bool is_stopped = exploration::is_stopped(snapshot, last);
   return is_stopped && std::any_of(view.peers.begin(), view.peers.end(), [&](const Peer& peer) {
            const double apart_m = guard_.distance_m(snapshot.latest.T_map_robot.position_m(), peer);
@@ -214,12 +226,22 @@ bool Avoidance::has_run_into_peer(const Snapshot& snapshot,
 
 Motion Avoidance::back_off(const Snapshot& snapshot) {
   ++encounters_.bumps;
+  backs_off_ = true;
+  const double now_s = time::robot_seconds(snapshot.latest.stamp);
+  std::erase_if(bumps_, [&](const Bump& bump) { return !is_remembered(bump, now_s); });
   const Eigen::Vector2d ahead_m(2.0 * params_.guard.robot_radius_m, 0.0);
-  bumps_.push_back(
-      {snapshot.latest.T_map_robot * ahead_m, time::robot_seconds(snapshot.latest.stamp)});
+  bumps_.push_back({snapshot.latest.T_map_robot * ahead_m, now_s});
   held_.reset();
   wants_another_goal_ = true;
   return exploration::Drive{-params_.back_off_m};
+}
+
+bool Avoidance::is_remembered(const Bump& bump, double now_s) const {
+  return now_s - bump.since_s < params_.bump_memory_s;
+}
+
+bool Avoidance::plans_around_bump(double now_s) const {
+  return std::ranges::any_of(bumps_, [&](const Bump& bump) { return is_remembered(bump, now_s); });
 }
 
 exploration::Company Avoidance::company(const TeamView& view, double now_s) const {
@@ -232,7 +254,7 @@ exploration::Company Avoidance::company(const TeamView& view, double now_s) cons
     }
   }
   for (const Bump& bump : bumps_) {
-    if (now_s - bump.since_s < params_.bump_memory_s) {
+    if (is_remembered(bump, now_s)) {
       company.standing.push_back({bump.at_m, params_.guard.robot_radius_m, true});
     }
   }

@@ -56,7 +56,8 @@ struct Encounters {
 };
 
 /// Keeps a robot off the others of its team: it waits until its path is free, and makes way for a
-/// robot that it blocks. Names decide who makes way, so that no two wait for each other for ever.
+/// robot that it blocks. Names decide who makes way first; whoever has waited or made way in vain
+/// three times plans around the other one.
 class Avoidance {
  public:
   /// Throws std::invalid_argument for invalid parameters.
@@ -73,8 +74,8 @@ class Avoidance {
   /// Whether a motion with this result has run into a peer.
   bool has_run_into_peer(const pipeline::Snapshot& snapshot,
                          const TeamView& view,
-                         exploration::MotionResult last) const;
-  /// The motion away from that peer.
+                         exploration::MotionResult last);
+  /// The motion away from that peer. Its own result does not count as running into one.
   exploration::Motion back_off(const pipeline::Snapshot& snapshot);
   /// Makes way for a robot that waits for this one; false where it need not, or cannot.
   bool make_way(const pipeline::Snapshot& snapshot, const TeamView& view);
@@ -83,6 +84,8 @@ class Avoidance {
   /// rest is expected to move on.
   exploration::Company company(const TeamView& view, double now_s) const;
 
+  /// Whether `company` closes floor where it has run into a peer.
+  bool plans_around_bump(double now_s) const;
   bool is_making_way() const { return aside_.has_value(); }
   /// Name of the robot in its way; empty for none.
   std::string waits_for() const;
@@ -112,7 +115,7 @@ class Avoidance {
     Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
     std::size_t times = 0;
   };
-  /// Where it has run into a peer.
+  /// Place at which it has run into a peer.
   struct Bump {
     Eigen::Vector2d at_m = Eigen::Vector2d::Zero();  ///< Middle of the peer, about.
     double since_s = 0.0;
@@ -124,7 +127,9 @@ class Avoidance {
     bool has_arrived = false;
   };
 
+  bool is_remembered(const Bump& bump, double now_s) const;
   exploration::Motion wait(const pipeline::Snapshot& snapshot, const TeamView& view, double now_s);
+  void forget_peers_that_moved(const TeamView& view);
   void lose_patience(const TeamView& view, const std::string& whom);
   std::size_t times_in_vain(const Peer& peer) const;
   bool is_its_turn(const std::vector<std::string>& robots, double now_s);
@@ -142,6 +147,7 @@ class Avoidance {
   std::optional<Aside> aside_;
   std::map<std::string, LostPatience> lost_patience_;  ///< By robot.
   std::vector<Bump> bumps_;
+  bool backs_off_ = false;  ///< Whether the last motion was to back off.
   bool wants_another_goal_ = false;
   Encounters encounters_;
 };

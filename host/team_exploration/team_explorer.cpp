@@ -59,7 +59,8 @@ Motion TeamExplorer::next(const Snapshot& snapshot, MotionResult last) {
 
 Motion TeamExplorer::decide(const Snapshot& snapshot, MotionResult last) {
   const bool is_driving = frontier_.goal() || avoidance_.is_making_way();
-  if (is_driving && avoidance_.has_run_into_peer(snapshot, view_, last)) {
+  const bool has_run_into_peer = avoidance_.has_run_into_peer(snapshot, view_, last);
+  if (is_driving && has_run_into_peer) {
     return avoidance_.back_off(snapshot);
   }
   if (auto motion = avoidance_.next(snapshot, view_, last)) {
@@ -103,16 +104,24 @@ Motion TeamExplorer::explore(const Snapshot& snapshot, MotionResult last) {
   frontier_.set_company(avoidance_.company(view_, now_s));
   const Motion motion = frontier_.next(snapshot, last);
   decided_by_ = view_.grid;
-  const auto* finished = std::get_if<Finished>(&motion);
-  const bool may_change =
-      finished != nullptr && (finished->reason == FinishReason::kComplete || is_blocked_for_now());
-  if (!may_change || are_all_idle(now_s)) {
+  if (!waits_with(motion, now_s)) {
     decide_again_s_.reset();
     idle_since_s_.reset();
     return motion;
   }
   decide_again_s_ = now_s + params_.decide_again_s;
   return Stand{params_.avoidance.look_again_s};
+}
+
+/// Whether a robot that sees nothing left to do waits all the same: others may give floor back, or
+/// leave the floor that it plans around.
+bool TeamExplorer::waits_with(const Motion& motion, double now_s) {
+  const auto* finished = std::get_if<Finished>(&motion);
+  if (finished == nullptr) {
+    return false;
+  }
+  const bool may_change = finished->reason == FinishReason::kComplete || is_blocked_for_now();
+  return avoidance_.plans_around_bump(now_s) || (may_change && !are_all_idle(now_s));
 }
 
 /// Whether it plans around a peer that may yet move on.

@@ -50,6 +50,7 @@ class TeamExplorer final : public exploration::Explorer {
   exploration::Motion decide(const pipeline::Snapshot& snapshot, exploration::MotionResult last);
   bool has_lost_goal();
   exploration::Motion explore(const pipeline::Snapshot& snapshot, exploration::MotionResult last);
+  bool waits_with(const exploration::Motion& motion, double now_s);
   bool is_blocked_for_now() const;
   bool are_all_idle(double now_s);
   void bid(double now_s, bool has_finished);

@@ -44,7 +44,8 @@ class Fleet : public ::testing::Test {
   tests::ScratchFolder scratch;
 };
 
-TEST_F(Fleet, MakesOneMapOfRobotsThatDoNotKnowWhereTheOthersStarted) {
+/// The second run finds what the broker of the first has kept.
+TEST_F(Fleet, MakesOneMapOfRobotsThatDoNotKnowWhereTheOthersStartedAndTheSameOneAgain) {
   const Ended ended = Program("echomap", start("run"), scratch / "start_log").wait();
   EXPECT_EQ(ended.status, 0) << ended.said;
   const auto summary = json::parse(files::read_text_file(scratch / "run/summary.json"));
@@ -58,20 +59,14 @@ TEST_F(Fleet, MakesOneMapOfRobotsThatDoNotKnowWhereTheOthersStarted) {
   EXPECT_GT(summary["fleet"]["map"]["fitted"]["free_iou"].get<double>(), 0.85);
   EXPECT_THAT(files::read_text_file(scratch / "run/team/provenance.csv"),
               HasSubstr("robot0.0+robot1.0"));
-}
 
-/// The second run finds what the broker of the first has kept.
-TEST_F(Fleet, IsAFunctionOfItsSeedThoughItsBrokerIsReal) {
-  const auto run_it = [&] {
-    const Ended ended = run(start("run", {"--force"}));
-    std::string trajectories;
-    for (const std::string robot : {"robot0", "robot1"}) {
-      trajectories += files::read_text_file(scratch / "run" / robot / "trajectory.tum");
-    }
-    return std::pair(ended.status, trajectories);
+  const auto trajectories = [&] {
+    return files::read_text_file(scratch / "run/robot0/trajectory.tum") +
+           files::read_text_file(scratch / "run/robot1/trajectory.tum");
   };
-  const auto first = run_it();
-  EXPECT_EQ(run_it(), first);
+  const std::string first = trajectories();
+  EXPECT_EQ(run(start("run", {"--force"})).status, 0);
+  EXPECT_EQ(trajectories(), first) << "though its broker is real";
 }
 
 TEST_F(Fleet, IsSeenRecordedAndDrawnByThoseWhoLookOn) {
@@ -162,11 +157,37 @@ TEST_F(Fleet, ABrokerForOtherMachinesGivesFilesThatCanBeCopied) {
   });
 }
 
+TEST_F(Fleet, ABrokerThatCouldNotStartStartsWithTheSameFolderLater) {
+  const auto broker = [&](const std::string& address) {
+    return std::vector<std::string>{"fleet",
+                                    "broker",
+                                    "--robots=alice",
+                                    "--address=" + address,
+                                    "--name=localhost",
+                                    "--port=0",
+                                    "--out=" + (scratch / "lab").string()};
+  };
+  EXPECT_NE(run(broker("192.0.2.1")).status, 0) << "an address of nobody (RFC 5737)";
+  Program again("echomap", broker("127.0.0.1"), scratch / "broker_log");
+  EXPECT_TRUE(eventually([&] {
+    return files::read_text_file(scratch / "broker_log").find("watch.toml") != std::string::npos;
+  }));
+  again.send(SIGTERM);
+  EXPECT_EQ(again.wait().status, 0);
+}
+
 TEST_F(Fleet, ABrokerForOtherMachinesAsksWhatTheyCallThisOne) {
   const Ended unnamed =
       run({"fleet", "broker", "--robots=alice", "--out=" + (scratch / "lab").string()});
   EXPECT_EQ(unnamed.status, 2) << unnamed.said;
   EXPECT_THAT(unnamed.said, HasSubstr("next: add --name"));
+  const Ended reserved = run({"fleet",
+                              "broker",
+                              "--robots=hub",
+                              "--name=localhost",
+                              "--out=" + (scratch / "lab").string()});
+  EXPECT_EQ(reserved.status, 2) << reserved.said;
+  EXPECT_THAT(reserved.said, HasSubstr("accounts of the broker's own"));
   files::write_text_file(scratch / "notes.txt", "");
   const Ended other = run({"fleet",
                            "broker",

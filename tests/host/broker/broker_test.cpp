@@ -108,6 +108,23 @@ TEST_F(BrokerTest, TakesOtherAccountsWhileItRuns) {
   EXPECT_EQ(hub->connections(), 1U) << "those who stay are not disturbed";
 }
 
+TEST_F(BrokerTest, RemovesTheFileOfAnAccountThatIsGone) {
+  ASSERT_TRUE(fs::exists(broker_->credentials_file("robot1")));
+  BrokerSettings settings = tests::broker_settings({"late"});
+  settings.users.push_back({"hub", broker_->credentials("hub").password});
+  broker_->set_users(settings.users);
+  EXPECT_FALSE(fs::exists(broker_->folder() / "members/robot1.toml"));
+  EXPECT_TRUE(fs::exists(broker_->credentials_file("late")));
+  EXPECT_TRUE(fs::exists(broker_->credentials_file("hub")));
+}
+
+TEST(BrokerAddress, OfNoMachineInParticularIsKnownInAnySpelling) {
+  EXPECT_TRUE(is_unspecified("0.0.0.0"));
+  EXPECT_TRUE(is_unspecified("0:0:0:0:0:0:0:0"));
+  EXPECT_FALSE(is_unspecified("127.0.0.1"));
+  EXPECT_THROW(is_unspecified("localhost"), console::CommandError);
+}
+
 TEST_F(BrokerTest, APortThatIsTakenIsNamed) {
   BrokerSettings settings = tests::broker_settings({"robot1"});
   settings.port = broker_->port();

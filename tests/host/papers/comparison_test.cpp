@@ -43,6 +43,8 @@ TEST(Comparison, PointsOfARunAreMovedToTheWorld) {
   ASSERT_EQ(points_m.size(), 2U);
   EXPECT_EQ(points_m[0], Eigen::Vector2d(2.5, 1.75));
   EXPECT_EQ(points_m[1], Eigen::Vector2d(1.0, 2.2));
+  files::write_text_file(folder / "points.csv", "x_m,y_m\n1.5\n");
+  EXPECT_THROW(points_of({folder.path(), {}}, "points.csv", {}), files::FileError);
 }
 
 TEST(Comparison, APictureIsThatOfTheRun) {

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 Explorations two_runs(std::vector<std::string> more) {
   Explorations explorations;
   explorations.name = "l_room";
-  explorations.arguments = {"--world=l_room", "--emulator=mock", "--no-kidnap"};
+  explorations.arguments = {"--world=l_room", "--emulator=mock", "--no-kidnap", "--stops=2"};
   explorations.arguments.insert(explorations.arguments.end(), more.begin(), more.end());
   explorations.first_seed = 5;
   explorations.runs = 2;
@@ -39,6 +39,7 @@ TEST(Explorations, ThatFailSayWhy) {
   const std::string error = tests::thrown_text<console::CommandError>(
       [&] { run_explorations(two_runs({"--robot=no_such"}), folder.path(), [](std::size_t) {}); });
   EXPECT_THAT(error, HasSubstr("echomap demo has failed"));
+  EXPECT_THAT(error, HasSubstr("no_such"));
   EXPECT_THAT(error, HasSubstr("next: see"));
 }
 

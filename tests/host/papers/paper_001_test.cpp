@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Bounds that hold with room; the figures over 20 seeds are those of `echomap paper 001`.
+// Over 20 seeds, with room to the figures of `echomap paper 001`.
 #include "host/papers/paper_001.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/host/papers/finding.hpp"
-#include "tests/support/every_seed.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace echomap::papers {
@@ -14,12 +13,11 @@ namespace {
 TEST(Paper001, FindsTheCornersAndSeldomTheRobot) {
   const tests::ScratchFolder folder;
   PaperSettings settings;
-  settings.runs = tests::runs_every_seed() ? 20 : 2;
   settings.out = folder.path();
   const auto report = paper_001(settings);
   ASSERT_EQ(report.experiments.size(), 3U);
   const auto& outlines = report.experiments[0];
-  EXPECT_GE(tests::finding(outlines, "L: runs with all corners and no other").ours->value, 50.0);
+  EXPECT_GE(tests::finding(outlines, "L: runs with as many corners as the room").ours->value, 50.0);
   EXPECT_LT(tests::finding(outlines, "L: corners are off by").ours->value, 8.0);
   EXPECT_LT(tests::finding(outlines, "T: corners are off by").ours->value, 10.0);
   EXPECT_EQ(outlines.pictures.size(), 4U);

@@ -12,6 +12,9 @@ namespace {
 TEST(PaperList, KnowsItsPapersByTheirNumbers) {
   EXPECT_THAT(paper_numbers(), testing::Contains("000"));
   EXPECT_THROW(repeat_paper("999", {}), std::out_of_range);
+  PaperSettings none;
+  none.runs = 0;
+  EXPECT_THROW(repeat_paper("000", none), std::invalid_argument);
 }
 
 }  // namespace

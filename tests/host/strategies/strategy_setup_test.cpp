@@ -98,6 +98,19 @@ TEST(StrategySetup, RefusesWhatOnlyAnotherStrategyGoesBy) {
   options.waypoints = "";
   options.stop_list = "stops.toml";
   EXPECT_THAT(complaint_about(options), testing::HasSubstr("--stop-list is for strategy 'stops'"));
+  options.stop_list = "";
+  options.as_told = true;
+  EXPECT_THAT(complaint_about(options),
+              testing::HasSubstr("--as-told is for strategy 'nxt-farthest'"));
+  options.name = "nxt-farthest";
+  EXPECT_NO_THROW(validate_fit(session::load_robot_profile("uno_2wd"), options));
+}
+
+TEST(StrategySetup, LeavesOutDeparturesOfNxtFarthestWhereThatIsAskedFor) {
+  const exploration::NxtFarthestParams told = as_told(exploration::NxtFarthestParams{});
+  EXPECT_EQ(told.candidate_spread_rad, 0.0);
+  EXPECT_EQ(told.stop_spacing_m, 0.0);
+  EXPECT_EQ(told.candidates, 4U);
 }
 
 TEST(StrategySetup, SaysWhatARobotLacks) {

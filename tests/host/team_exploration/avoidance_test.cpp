@@ -204,7 +204,7 @@ TEST_F(AvoidanceTest, MakesWayForWhomItHoldsUp) {
 }
 
 TEST_F(AvoidanceTest, DistinguishesAPeerFromAWallWhenItBumps) {
-  const Avoidance avoidance(named("a"));
+  Avoidance avoidance(named("a"));
   view.peers = {peer_at("b", {3.5, 0.0, 0.0})};
   EXPECT_FALSE(avoidance.has_run_into_peer(at_s(1.0), view, MotionResult::kBumped));
   view.peers = {peer_at("b", {1.79, 0.0, 0.0})};
@@ -228,7 +228,31 @@ TEST_F(AvoidanceTest, PlansAroundWhereItHasRunIntoAPeerForAWhile) {
   ASSERT_EQ(standing.size(), 1U);
   EXPECT_TRUE(standing.front().is_closed);
   EXPECT_NEAR(standing.front().at_m.x(), T_map_robot.x_m() + 0.18, 1e-9);
+  EXPECT_TRUE(avoidance.plans_around_bump(60.0));
   EXPECT_TRUE(avoidance.company(view, 62.0).standing.empty());
+  EXPECT_FALSE(avoidance.plans_around_bump(62.0));
+}
+
+TEST_F(AvoidanceTest, ABackOffThatIsStoppedIsNotRepeated) {
+  Avoidance avoidance(named("a"));
+  view.peers = {peer_at("b", {1.79, 0.0, 0.0})};
+  avoidance.back_off(at_s(1.0));
+  EXPECT_FALSE(avoidance.has_run_into_peer(at_s(1.5), view, MotionResult::kStalled));
+  EXPECT_TRUE(avoidance.has_run_into_peer(at_s(2.0), view, MotionResult::kBumped));
+}
+
+TEST_F(AvoidanceTest, ForgetsThatItLostPatienceWithAPeerThatLeftAndCameBack) {
+  Avoidance avoidance(named("a"));
+  view.peers = {peer_at("b", {1.8, 0.0, 0.0})};
+  for (int i = 0; i < 3; ++i) {
+    avoidance.checked(at_s(10.0 * i), view, tests::kRollAhead);
+    next(avoidance, 10.0 * i + 7.0);
+  }
+  ASSERT_TRUE(avoidance.stays(view.peers.front()));
+  view.peers = {peer_at("b", {3.5, 0.0, 0.0})};
+  next(avoidance, 40.0);
+  view.peers = {peer_at("b", {1.8, 0.0, 0.0})};
+  EXPECT_FALSE(avoidance.stays(view.peers.front()));
 }
 
 TEST_F(AvoidanceTest, RejectsParametersWithoutSense) {
