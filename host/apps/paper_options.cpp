@@ -32,8 +32,7 @@ void add_paper(CLI::App& app, CommandAction& action) {
   command->add_option("--json", options->json, "Write the figures to this file, '-' for stdout");
   command->add_flag("--headless", options->headless, "No progress line");
   command->footer(
-      "Writes report.html, report.json, pictures and the runs. 000 and 001 take some minutes "
-      "each.\n"
+      "Writes report.html, report.json, pictures and the runs; takes some minutes.\n"
       "Example: echomap paper 000 --out paper_000");
   command->callback([&action, options] { action = [options] { return run_paper(*options); }; });
 }

@@ -12,11 +12,9 @@
 
 #include <gtest/gtest.h>
 
-#include "hil_mock/world/robot_file.hpp"
-#include "hil_mock/world/sonar_physics.hpp"
 #include "host/datasets/nxt_scan_log.hpp"
-#include "host/files/toml_reader.hpp"
 #include "host/geometry/angle.hpp"
+#include "host/papers/square_room.hpp"
 #include "host/sensors/range_scan.hpp"
 #include "host/sensors/wall_beam_width.hpp"
 #include "tests/papers/post_beam_width.hpp"
@@ -45,14 +43,6 @@ void expect_within_paper(double beam_width_rad) {
   EXPECT_NEAR(degrees(beam_width_rad), kPaperDeg, kPaperBoundDeg);
 }
 
-world::SonarParams ev3_sonar(double beam_width_deg) {
-  auto params = world::read_robot(files::TomlReader::load(std::string(ECHOMAP_SOURCE_DIR) +
-                                                          "/hil_mock/robots/ev3.toml"))
-                    .sonar;
-  params.beam_half_angle_rad = radians(0.5 * beam_width_deg);
-  return params;
-}
-
 /// A hall of 8 x 8 m, rough walls, the sonar in the middle.
 world::Outline hall() {
   const std::vector<world::Surface> rough(4, {world::Material::kRough, 0.9});
@@ -67,27 +57,6 @@ world::FloorPlan post_in_a_hall() {
     post.corners_m.emplace_back(0.8 + 0.01 * std::cos(bearing_rad), 0.01 * std::sin(bearing_rad));
   }
   return {"post", hall(), {post}, {}};
-}
-
-/// A square room, 1.4 m wide, with boards that scatter sound, as in the paper's figure 4.
-world::FloorPlan square_room() {
-  const std::vector<world::Surface> rough(4, {world::Material::kRough, 0.9});
-  return {"square", {{{-0.6, -0.7}, {0.8, -0.7}, {0.8, 0.7}, {-0.6, 0.7}}, rough}, {}, {}};
-}
-
-std::vector<sensors::Beam> sweep(const world::FloorPlan& plan,
-                                 const world::SonarParams& sonar,
-                                 double half_deg,
-                                 double step_deg,
-                                 std::uint32_t seed) {
-  const world::SonarPhysics physics(plan, sonar);
-  world::NoiseStream noise(seed, world::NoisePurpose::kSonar);
-  std::vector<sensors::Beam> readings;
-  for (double bearing_deg = -half_deg; bearing_deg < half_deg; bearing_deg += step_deg) {
-    const double bearing_rad = radians(bearing_deg);
-    readings.push_back({bearing_rad, physics.ping_m({0.0, 0.0, bearing_rad}, noise)});
-  }
-  return readings;
 }
 
 /// How often over the seeds, and how far off on average.
@@ -119,8 +88,8 @@ void print(const std::string& what, const Rates& rates) {
 std::vector<sensors::Beam> double_sweep(const world::FloorPlan& plan,
                                         const world::SonarParams& sonar,
                                         std::uint32_t seed) {
-  auto readings = sweep(plan, sonar, 60.0, 1.0, seed);
-  const auto back = sweep(plan, sonar, 60.0, 1.0, seed + kSweepSeeds);
+  auto readings = sweep(plan, sonar, {radians(60.0), radians(1.0)}, seed);
+  const auto back = sweep(plan, sonar, {radians(60.0), radians(1.0)}, seed + kSweepSeeds);
   readings.insert(readings.end(), back.begin(), back.end());
   return readings;
 }
@@ -131,7 +100,7 @@ TEST(ConeAngle, IsFoundBySweepingPastAPost) {
     Rates rates;
     for (std::uint32_t seed = 1; seed <= kSweepSeeds; ++seed) {
       count(rates,
-            beam_width_past_post(double_sweep(plan, ev3_sonar(beam_width_deg), seed),
+            beam_width_past_post(double_sweep(plan, ev3_sonar(radians(beam_width_deg)), seed),
                                  {0.79, 0.05, 0.02}),
             beam_width_deg);
     }
@@ -142,28 +111,14 @@ TEST(ConeAngle, IsFoundBySweepingPastAPost) {
   }
 }
 
-/// Four sweeps, three degrees a step: a wide cone finds few shoulders in a small room.
-std::vector<sensors::SweptWall> walls_of_room(const world::FloorPlan& plan,
-                                              double beam_width_deg,
-                                              std::uint32_t seed) {
-  sensors::WallBeamWidthParams params;
-  params.range_stddev_m = 0.01;
-  std::vector<sensors::SweptWall> walls;
-  for (std::uint32_t turn = 0; turn < 4; ++turn) {
-    const auto found = sensors::swept_walls(
-        sweep(plan, ev3_sonar(beam_width_deg), 180.0, 3.0, seed + turn * kSweepSeeds), params);
-    walls.insert(walls.end(), found.begin(), found.end());
-  }
-  return walls;
-}
-
 // The mean of 42 degrees comes out 2 degrees narrow: its edge is soft, and soft edges look narrow.
 TEST(ConeAngle, IsFoundFromTheWallsOfASquareRoom) {
   const world::FloorPlan plan = square_room();
   for (const double beam_width_deg : {20.0, kPaperDeg, 42.0}) {
     Rates rates;
     for (std::uint32_t seed = 1; seed <= kSweepSeeds; ++seed) {
-      const auto pooled = sensors::pooled_beam_width(walls_of_room(plan, beam_width_deg, seed));
+      const auto pooled =
+          sensors::pooled_beam_width(walls_of_room(plan, ev3_sonar(radians(beam_width_deg)), seed));
       count(rates, pooled ? std::optional(pooled->mean) : std::nullopt, beam_width_deg);
     }
     print("walls, " + std::to_string(beam_width_deg), rates);

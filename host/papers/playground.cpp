@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "tests/papers/playground.hpp"
+#include "host/papers/playground.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "hil_mock/world/contact_physics.hpp"
 #include "hil_mock/world/robot_file.hpp"
 #include "hil_mock/world/sonar_physics.hpp"
+#include "host/files/bundled_files.hpp"
 #include "host/files/toml_reader.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/mapping/patch_grid.hpp"
@@ -49,11 +49,11 @@ const std::vector<Eigen::Vector2d> way_points_m = {{1.35, 0.12},
 
 world::RobotParams ev3() {
   return world::read_robot(
-      files::TomlReader::load(std::string(ECHOMAP_SOURCE_DIR) + "/hil_mock/robots/ev3.toml"));
+      files::TomlReader::load(files::bundled_file("ev3", "hil_mock/robots", "body")));
 }
 
-/// The way the robot goes and the way it believes to go: wheels that differ from their diameter,
-/// slip, and a gyro that counts turns with an error of scale.
+/// The robot's true pose and its estimate by dead reckoning: wheels that differ from their
+/// diameter, slip, and a gyro that counts turns with an error of scale.
 class DriftingRobot {
  public:
   DriftingRobot(const world::RobotParams& params, bool with_drift, std::uint32_t seed)
@@ -63,21 +63,21 @@ class DriftingRobot {
         length_scale_(1.0 + share_ * params.drive.wheel_diameter_stddev * noise_.normal()),
         turn_scale_(1.0 + share_ * params.parts.gyro.value().scale_stddev * noise_.normal()),
         T_true_(way_points_m[0].x(), way_points_m[0].y(), 0.5 * std::numbers::pi),
-        T_believed_(T_true_) {}
+        T_estimate_(T_true_) {}
 
   const Pose2& T_true() const { return T_true_; }
-  const Pose2& T_believed() const { return T_believed_; }
+  const Pose2& T_estimate() const { return T_estimate_; }
 
   void turn(double angle_rad) {
     T_true_ = T_true_ * Pose2(0.0, 0.0, angle_rad);
-    T_believed_ = T_believed_ * Pose2(0.0, 0.0, turn_scale_ * angle_rad);
+    T_estimate_ = T_estimate_ * Pose2(0.0, 0.0, turn_scale_ * angle_rad);
   }
   void drive(double length_m) {
     const double slip_m =
         params_.drive.slip_m_per_sqrt_m * std::sqrt(2.0 * std::abs(length_m)) * noise_.normal();
     T_true_ = T_true_ * Pose2(length_m, 0.0, 0.0);
-    T_believed_ =
-        T_believed_ * Pose2(length_scale_ * length_m, 0.0, share_ * slip_m / params_.drive.track_m);
+    T_estimate_ =
+        T_estimate_ * Pose2(length_scale_ * length_m, 0.0, share_ * slip_m / params_.drive.track_m);
   }
 
  private:
@@ -87,7 +87,7 @@ class DriftingRobot {
   double length_scale_;
   double turn_scale_;
   Pose2 T_true_;
-  Pose2 T_believed_;
+  Pose2 T_estimate_;
 };
 
 /// The drive and what it adds to the grid.
@@ -97,7 +97,7 @@ class Mapper {
       : playground_(playground),
         params_(params),
         robot_(ev3()),
-        sonar_(playground.heard, robot_.sonar),
+        sonar_(playground.for_sonar, robot_.sonar),
         noise_(seed, world::NoisePurpose::kSonar),
         body_(robot_, params.with_drift, seed) {
     if (params.with_known_walls) {
@@ -115,7 +115,7 @@ class Mapper {
     return {grid_.confidence(),
             echoes_m_,
             bumps_,
-            (body_.T_believed().position_m() - body_.T_true().position_m()).norm()};
+            (body_.T_estimate().position_m() - body_.T_true().position_m()).norm()};
   }
 
  private:
@@ -136,7 +136,7 @@ class Mapper {
     for (double done_m = 0.0; done_m < length_m; done_m += kStepM) {
       body_.drive(std::min(kStepM, length_m - done_m));
       const world::Contacts contacts =
-          world::contacts_at(playground_.met, body_.T_true(), robot_.body);
+          world::contacts_at(playground_.for_bumper, body_.T_true(), robot_.body);
       if (contacts.left || contacts.right) {
         ++bumps_;
         if (params_.with_bumps) {
@@ -151,7 +151,7 @@ class Mapper {
     for (int i = 0; i < kReadings; ++i) {
       const Pose2 T_robot_sonar(0.0, 0.0, 2.0 * std::numbers::pi * i / kReadings);
       if (const auto range_m = sonar_.ping_m(body_.T_true() * T_robot_sonar, noise_)) {
-        const Pose2 T_grid_sonar = body_.T_believed() * T_robot_sonar;
+        const Pose2 T_grid_sonar = body_.T_estimate() * T_robot_sonar;
         echoes_m_.push_back(T_grid_sonar * Eigen::Vector2d(*range_m, 0.0));
         grid_.add_echo(T_grid_sonar, *range_m);
       }
@@ -159,7 +159,7 @@ class Mapper {
   }
   void add_bump() {
     const Segment in_robot = models::bumper_line(robot_.body.radius_m, 2.0 * robot_.body.radius_m);
-    grid_.add_bump({body_.T_believed() * in_robot.from_m, body_.T_believed() * in_robot.to_m});
+    grid_.add_bump({body_.T_estimate() * in_robot.from_m, body_.T_estimate() * in_robot.to_m});
   }
 
   const Playground& playground_;

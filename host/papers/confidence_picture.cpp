@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "tests/papers/confidence_picture.hpp"
+#include "host/papers/confidence_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "host/exports/map_view.hpp"
+#include "host/files/atomic_file.hpp"
 
 namespace echomap::papers {
 
@@ -20,15 +22,15 @@ exports::Colour heat(double confidence) {
 
 }  // namespace
 
-void draw_confidence(const std::filesystem::path& path,
-                     const mapping::CellField& confidence,
-                     const world::FloorPlan& room,
-                     const std::vector<Eigen::Vector2d>& path_m) {
+std::vector<std::uint8_t> draw_confidence(const std::filesystem::path& path,
+                                          const mapping::CellField& confidence,
+                                          const world::FloorPlan& room,
+                                          const std::vector<Eigen::Vector2d>& path_m) {
   std::vector<exports::LegendEntry> legend{{heat(1.0), "confidence 1"},
                                            {heat(20.0), "confidence 20"},
-                                           {exports::kVermilion, "what stands there"}};
+                                           {exports::kVermilion, "true walls"}};
   if (!path_m.empty()) {
-    legend.push_back({exports::kBlue, "the way driven"});
+    legend.push_back({exports::kBlue, "the path driven"});
   }
   const exports::MapView view(mapping::RasterMap(confidence.bounds().columns(),
                                                  confidence.bounds().rows(),
@@ -50,6 +52,8 @@ void draw_confidence(const std::filesystem::path& path,
   }
   std::filesystem::create_directories(path.parent_path());
   picture.write_png(path, view.texts());
+  const std::string bytes = files::read_text_file(path);
+  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace echomap::papers
