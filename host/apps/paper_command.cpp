@@ -33,11 +33,11 @@ std::string words_of(const std::optional<Measured>& measured, const Finding& fin
 /// RFC 8089: a path as a link, all but letters, digits and -._~/ in percent code.
 std::string file_url(const std::filesystem::path& path) {
   std::string url = "file://";
-  for (const unsigned char c : std::filesystem::absolute(path).string()) {
+  for (const char c : std::filesystem::absolute(path).string()) {
+    const auto byte = static_cast<unsigned char>(c);
     const bool is_plain =
-        std::isalnum(c) != 0 ||
-        std::string_view("-._~/").find(static_cast<char>(c)) != std::string_view::npos;
-    url += is_plain ? std::string(1, static_cast<char>(c)) : fmt::format("%{:02X}", c);
+        std::isalnum(byte) != 0 || std::string_view("-._~/").find(c) != std::string_view::npos;
+    url += is_plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
   }
   return url;
 }

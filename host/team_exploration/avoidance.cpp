@@ -102,9 +102,15 @@ Motion Avoidance::wait(const Snapshot& snapshot, const TeamView& view, double no
   }
   const double all_turns_s = params_.turn_s * static_cast<double>(robots.size());
   if (now_s - held_->since_s >= std::max(params_.patience_s, 2.0 * all_turns_s)) {
-    lose_patience(view, held_->by);
+    const std::string whom = held_->by;
+    lose_patience(view, whom);
     held_.reset();
     wants_another_goal_ = true;
+    // From within the distance to keep no path round it can be planned: first away from it.
+    const Peer* peer = find_peer(view, whom);
+    if (peer != nullptr && attempts_since_it_stays(*peer) > 0.0) {
+      begin_aside(snapshot, view, whom);
+    }
   }
   return Stand{params_.look_again_s};
 }
@@ -132,6 +138,12 @@ std::size_t Avoidance::times_in_vain(const Peer& peer) const {
       lost != lost_patience_.end() &&
       (lost->second.at_m - peer.T_map_robot.position_m()).norm() <= params_.moved_m;
   return is_there ? lost->second.times : 0;
+}
+
+/// Attempts to get round it that were in vain, too: the path came too near by a few centimetres.
+double Avoidance::attempts_since_it_stays(const Peer& peer) const {
+  const std::size_t times = times_in_vain(peer);
+  return times > params_.max_patiences ? static_cast<double>(times - params_.max_patiences) : 0.0;
 }
 
 bool Avoidance::stays(const Peer& peer) const {
@@ -250,7 +262,8 @@ exploration::Company Avoidance::company(const TeamView& view, double now_s) cons
     if (stays(view.peers[i])) {
       exploration::OccupiedFloor& floor = company.standing[i];
       floor.is_closed = true;
-      floor.radius_m = keep_off_m(view.peers[i]) - params_.guard.robot_radius_m;
+      floor.radius_m = keep_off_m(view.peers[i]) - params_.guard.robot_radius_m +
+                       params_.widen_m * attempts_since_it_stays(view.peers[i]);
     }
   }
   for (const Bump& bump : bumps_) {

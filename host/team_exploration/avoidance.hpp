@@ -30,8 +30,9 @@ struct AvoidanceParams {
   /// which has not moved this far meanwhile. Farther than robots move to let each other pass.
   std::size_t max_patiences = 3;
   double moved_m = 0.8;
-  /// Distance by which each vain attempt widens the path that is left clear for the peer: the maps
-  /// of the two differ, and so do their paths.
+  /// Distance by which each vain attempt widens the path that is left clear for the peer, and the
+  /// floor that is planned around where it stays: the maps of the two differ, and so do their
+  /// paths.
   double widen_m = 0.1;
   /// In a deadlock, the robot whose name comes last makes way at once, and each one before it this
   /// much later, in case those behind it cannot.
@@ -132,6 +133,7 @@ class Avoidance {
   void forget_peers_that_moved(const TeamView& view);
   void lose_patience(const TeamView& view, const std::string& whom);
   std::size_t times_in_vain(const Peer& peer) const;
+  double attempts_since_it_stays(const Peer& peer) const;
   bool is_its_turn(const std::vector<std::string>& robots, double now_s);
   bool begin_aside(const pipeline::Snapshot& snapshot,
                    const TeamView& view,

@@ -233,6 +233,24 @@ TEST_F(AvoidanceTest, PlansAroundWhereItHasRunIntoAPeerForAWhile) {
   EXPECT_FALSE(avoidance.plans_around_bump(62.0));
 }
 
+/// In corridor_rooms, seed 7, one of four robots waited 1224 times in two hours for one that stood.
+TEST_F(AvoidanceTest, PlansAroundOneWhoStaysInAWiderCircleEachTimeThatItWaitsForItAgain) {
+  Avoidance avoidance(named("a"));
+  view.peers = {peer_at("b", {1.8, 0.0, 0.0})};
+  std::vector<double> radius_m;
+  for (int i = 0; i < 6; ++i) {
+    avoidance.checked(at_s(10.0 * i), view, tests::kRollAhead);
+    next(avoidance, 10.0 * i + 7.0);
+    if (avoidance.stays(view.peers.front())) {
+      radius_m.push_back(avoidance.company(view, 10.0 * i + 8.0).standing.front().radius_m);
+    }
+  }
+  ASSERT_EQ(radius_m.size(), 4U);
+  EXPECT_NEAR(radius_m[0], avoidance.keep_off_m(view.peers.front()) - 0.09, 1e-9);
+  EXPECT_NEAR(radius_m[3], radius_m[0] + 0.3, 1e-9);
+  EXPECT_GT(avoidance.encounters().made_way, 0U) << "from within, no path round it can be planned";
+}
+
 TEST_F(AvoidanceTest, ABackOffThatIsStoppedIsNotRepeated) {
   Avoidance avoidance(named("a"));
   view.peers = {peer_at("b", {1.79, 0.0, 0.0})};
