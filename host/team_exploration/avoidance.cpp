@@ -170,7 +170,8 @@ bool Avoidance::begin_aside(const Snapshot& snapshot,
   const auto map = exploration::planning_map(known, 0.0, params_.navigator.costs.robot_radius_m);
   const ClearPath path{expected_path(map, *peer, claim_of(view, whom), params_.aside),
                        guard_.keep_off_m(*peer) + map.resolution_m() +
-                           params_.widen_m * static_cast<double>(times_in_vain(*peer))};
+                           params_.widen_m * static_cast<double>(std::min(times_in_vain(*peer),
+                                                                          params_.max_patiences))};
   const Eigen::Vector2d here_m = snapshot.latest.T_map_robot.position_m();
   const auto place = passing_place(map, here_m, view.peers, path, params_.aside);
   if (!place) {
