@@ -9,6 +9,7 @@
 #include "hil_mock/world/robot_file.hpp"
 #include "host/files/bundled_files.hpp"
 #include "host/files/toml_reader.hpp"
+#include "host/papers/room_floor.hpp"
 
 namespace echomap::papers {
 
@@ -52,18 +53,12 @@ BounceRobot::BounceRobot(const world::FloorPlan& room, std::uint32_t seed)
 }
 
 void BounceRobot::be_carried_off() {
-  const geometry::Polygon& corners_m = room_.room_m();
-  Eigen::Vector2d low_m = corners_m.front();
-  Eigen::Vector2d high_m = low_m;
-  for (const Eigen::Vector2d& corner_m : corners_m) {
-    low_m = low_m.cwiseMin(corner_m);
-    high_m = high_m.cwiseMax(corner_m);
-  }
+  const Box box = box_around(room_);
   Eigen::Vector2d at_m;
   do {
     const double x_share = noise_.uniform();
     const double y_share = noise_.uniform();
-    at_m = low_m + Eigen::Vector2d(x_share, y_share).cwiseProduct(high_m - low_m);
+    at_m = box.at(x_share, y_share);
   } while (!room_.is_free(at_m) || room_.clearance_m(at_m) < robot_.body.radius_m + 0.02);
   T_world_robot_ = {at_m.x(), at_m.y(), (2.0 * noise_.uniform() - 1.0) * std::numbers::pi};
 }

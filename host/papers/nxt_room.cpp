@@ -15,6 +15,7 @@
 #include "host/localization/point_cloud_view.hpp"
 #include "host/localization/view_model.hpp"
 #include "host/models/gaussian_range.hpp"
+#include "host/papers/room_floor.hpp"
 #include "host/papers/room_picture.hpp"
 
 namespace echomap::papers {
@@ -32,47 +33,12 @@ constexpr double kTurnStddevRad = geometry::radians(0.25);
 constexpr double kForwardStddevM = 0.0005;
 /// A robot on its arc of ten moves stays free of walls.
 constexpr double kClearanceM = 0.15;
+/// Particles are scattered over the floor in cells of this size.
+constexpr double kFloorCellM = 0.05;
 
 world::SonarParams nxt_sonar() {
   const auto file = files::bundled_file("nxt_tribot", "hil_mock/robots", "body");
   return world::read_robot(files::TomlReader::load(file)).sonar;
-}
-
-struct Box {
-  Eigen::Vector2d low_m;
-  Eigen::Vector2d high_m;
-
-  Eigen::Vector2d at(double x_share, double y_share) const {
-    return low_m + Eigen::Vector2d(x_share, y_share).cwiseProduct(high_m - low_m);
-  }
-};
-
-Box box_around(const geometry::Polygon& corners_m) {
-  Box box{corners_m.front(), corners_m.front()};
-  for (const Eigen::Vector2d& corner_m : corners_m) {
-    box.low_m = box.low_m.cwiseMin(corner_m);
-    box.high_m = box.high_m.cwiseMax(corner_m);
-  }
-  return box;
-}
-
-/// Where particles are scattered: all of the room.
-mapping::RasterMap floor_of(const world::FloorPlan& room) {
-  constexpr double kCellM = 0.05;
-  const Box box = box_around(room.room_m());
-  const Eigen::Vector2d cells = (box.high_m - box.low_m) / kCellM;
-  mapping::RasterMap floor(static_cast<int>(std::ceil(cells.x())),
-                           static_cast<int>(std::ceil(cells.y())),
-                           kCellM,
-                           box.low_m);
-  for (geometry::CellIndex cell{0, 0}; cell.y < floor.rows(); ++cell.y) {
-    for (cell.x = 0; cell.x < floor.columns(); ++cell.x) {
-      if (room.is_free(floor.center_m(cell))) {
-        floor.set(cell, mapping::CellState::kFree);
-      }
-    }
-  }
-  return floor;
 }
 
 /// The TriBot that was carried off.
@@ -84,7 +50,7 @@ class TriBot {
         pings_(seed, world::NoisePurpose::kSonar),
         body_(seed, world::NoisePurpose::kBody) {
     do {
-      const Eigen::Vector2d at_m = box_around(room.room_m()).at(body_.uniform(), body_.uniform());
+      const Eigen::Vector2d at_m = box_around(room).at(body_.uniform(), body_.uniform());
       T_world_robot_ = {at_m.x(), at_m.y(), (2.0 * body_.uniform() - 1.0) * std::numbers::pi};
     } while (!has_distance_to_go());
   }
@@ -163,7 +129,7 @@ std::vector<Eigen::Vector2d> nxt_cloud(const world::FloorPlan& room, std::uint32
   constexpr int kReadings = 120;  // Twice around, in steps of 6 degrees.
   const world::SonarPhysics sonar(room, nxt_sonar());
   world::NoiseStream noise(seed, world::NoisePurpose::kSonar);
-  const Box box = box_around(room.room_m());
+  const Box box = box_around(room);
   std::vector<Eigen::Vector2d> cloud_m;
   for (const Eigen::Vector2d& at_m : {box.at(0.25, 0.25),
                                       box.at(0.75, 0.25),
@@ -187,7 +153,9 @@ NxtOutcome localize_nxt(const world::FloorPlan& room,
   models::GaussianRangeParams range;
   range.sense_stddev_m = trial.sense_stddev_m;
   localization::ViewModel<localization::PointCloudView, models::GaussianRange> model(
-      floor_of(room), localization::PointCloudView(cloud_m), models::GaussianRange(range));
+      floor_of(room, kFloorCellM, 0.0),
+      localization::PointCloudView(cloud_m),
+      models::GaussianRange(range));
   localization::MonteCarloLocalizer localizer(model, nxt_params_of(trial), std::mt19937(seed));
   TriBot robot(room, seed);
   std::vector<Eigen::Vector2d> first_m;
@@ -203,9 +171,8 @@ NxtOutcome localize_nxt(const world::FloorPlan& room,
     robot.move();
     localizer.update(robot.T_odom_robot(), {});
   }
-  NxtOutcome outcome = outcome_of(localizer.belief().hypotheses.at(0),
-                                  robot.T_world_robot(),
-                                  box_around(room.room_m()).at(0.5, 0.5));
+  NxtOutcome outcome = outcome_of(
+      localizer.belief().hypotheses.at(0), robot.T_world_robot(), box_around(room).at(0.5, 0.5));
   outcome.first_particles_m = std::move(first_m);
   outcome.last_particles_m = positions_of(localizer.particles());
   return outcome;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "host/geometry/angle.hpp"
+#include "host/papers/bounce_drive.hpp"
 #include "host/papers/comparison.hpp"
 #include "host/papers/contact_localization.hpp"
 #include "host/papers/room_picture.hpp"
@@ -15,8 +16,6 @@ using paper_report::Experiment;
 using paper_report::Finding;
 using paper_report::Measured;
 using paper_report::PaperPicture;
-
-constexpr double kCreateRadiusM = 0.165;
 
 /// Both ways to follow the walls of one arena.
 Comparison trace(const PaperSettings& settings, const std::string& arena) {
@@ -149,7 +148,7 @@ std::vector<PaperPicture> particle_pictures(const PaperSettings& settings,
         contact_room(),
         {{exports::kGreen, "particles"}, {exports::kVermilion, "the robot at the end"}});
     picture.add_points(particles_m, 2.5, exports::kGreen);
-    picture.add_robot(outcome.T_world_robot, kCreateRadiusM, exports::kVermilion);
+    picture.add_robot(outcome.T_world_robot, create_robot().body.radius_m, exports::kVermilion);
     return picture.write_png(settings.out / "pictures" / (name + ".png"));
   };
   return {{"Particles at the start",

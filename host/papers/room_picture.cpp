@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "host/papers/room_picture.hpp"
 
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include "host/files/atomic_file.hpp"
+#include "host/papers/room_floor.hpp"
 
 namespace echomap::papers {
 namespace {
@@ -13,35 +13,10 @@ namespace {
 constexpr double kCellM = 0.01;
 constexpr double kMarginM = 0.2;
 
-/// Floor where the room is free, unknown outside.
-mapping::RasterMap floor_of(const world::FloorPlan& room) {
-  Eigen::Vector2d low_m = room.room_m().front();
-  Eigen::Vector2d high_m = low_m;
-  for (const Eigen::Vector2d& corner_m : room.room_m()) {
-    low_m = low_m.cwiseMin(corner_m);
-    high_m = high_m.cwiseMax(corner_m);
-  }
-  low_m.array() -= kMarginM;
-  high_m.array() += kMarginM;
-  const Eigen::Vector2d cells = (high_m - low_m) / kCellM;
-  mapping::RasterMap floor(static_cast<int>(std::ceil(cells.x())),
-                           static_cast<int>(std::ceil(cells.y())),
-                           kCellM,
-                           low_m);
-  for (geometry::CellIndex cell{0, 0}; cell.y < floor.rows(); ++cell.y) {
-    for (cell.x = 0; cell.x < floor.columns(); ++cell.x) {
-      if (room.is_free(floor.center_m(cell))) {
-        floor.set(cell, mapping::CellState::kFree);
-      }
-    }
-  }
-  return floor;
-}
-
 exports::MapView view_of(const world::FloorPlan& room, std::vector<exports::LegendEntry> legend) {
   exports::MapViewParams params;
   params.legend = std::move(legend);
-  return exports::MapView(floor_of(room), params);
+  return exports::MapView(floor_of(room, kCellM, kMarginM), params);
 }
 
 }  // namespace
