@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "host/exports/map_view.hpp"
-#include "host/files/atomic_file.hpp"
+#include "host/papers/picture_file.hpp"
 
 namespace echomap::papers {
 
@@ -50,10 +49,7 @@ std::vector<std::uint8_t> draw_confidence(const std::filesystem::path& path,
   for (std::size_t i = 1; i < path_m.size(); ++i) {
     picture.draw_line(view.place(path_m[i - 1]), view.place(path_m[i]), 1.5, exports::kBlue);
   }
-  std::filesystem::create_directories(path.parent_path());
-  picture.write_png(path, view.texts());
-  const std::string bytes = files::read_text_file(path);
-  return {bytes.begin(), bytes.end()};
+  return write_picture(picture, path, view.texts());
 }
 
 }  // namespace echomap::papers

@@ -3,12 +3,10 @@
 
 #include <algorithm>
 
-#include "hil_mock/world/floor_plan_file.hpp"
-#include "host/files/bundled_files.hpp"
-#include "host/files/toml_reader.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/papers/comparison.hpp"
 #include "host/papers/nxt_room.hpp"
+#include "host/papers/room_floor.hpp"
 #include "host/papers/room_picture.hpp"
 
 namespace echomap::papers {
@@ -42,11 +40,6 @@ Finding compared_picture(const Comparison& runs,
                          double scale,
                          const std::string& unit) {
   return compared(runs, {quantity, "figure 8", "a picture, no figure", pointer, scale, unit, 1});
-}
-
-world::FloorPlan bundled_room(const std::string& name) {
-  return world::read_floor_plan(
-      files::TomlReader::load(files::bundled_file(name, "hil_mock/worlds", "world")));
 }
 
 /// The map of section 3.1, a cloud of echoes, and where they were measured.

@@ -7,6 +7,7 @@
 
 #include "host/papers/paper_000.hpp"
 #include "host/papers/paper_001.hpp"
+#include "host/papers/paper_002.hpp"
 #include "host/papers/paper_003.hpp"
 
 namespace echomap::papers {
@@ -16,7 +17,7 @@ using Repeat = std::function<paper_report::PaperReport(const PaperSettings&)>;
 
 const std::map<std::string, Repeat>& papers() {
   static const std::map<std::string, Repeat> by_number{
-      {"000", paper_000}, {"001", paper_001}, {"003", paper_003}};
+      {"000", paper_000}, {"001", paper_001}, {"002", paper_002}, {"003", paper_003}};
   return by_number;
 }
 

@@ -3,7 +3,16 @@
 
 #include <cmath>
 
+#include "hil_mock/world/floor_plan_file.hpp"
+#include "host/files/bundled_files.hpp"
+#include "host/files/toml_reader.hpp"
+
 namespace echomap::papers {
+
+world::FloorPlan bundled_room(const std::string& name) {
+  return world::read_floor_plan(
+      files::TomlReader::load(files::bundled_file(name, "hil_mock/worlds", "world")));
+}
 
 Box box_around(const world::FloorPlan& room) {
   Box box{room.room_m().front(), room.room_m().front()};

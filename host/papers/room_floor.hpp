@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include <Eigen/Core>
 
 #include "hil_mock/world/floor_plan.hpp"
@@ -18,6 +20,9 @@ struct Box {
     return low_m + Eigen::Vector2d(x_share, y_share).cwiseProduct(high_m - low_m);
   }
 };
+
+/// A room of hil_mock/worlds. Throws files::ConfigError.
+world::FloorPlan bundled_room(const std::string& name);
 
 /// The smallest box around a room.
 Box box_around(const world::FloorPlan& room);

@@ -1,22 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "host/papers/room_picture.hpp"
 
-#include <string>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
-#include "host/files/atomic_file.hpp"
+#include <Eigen/Eigenvalues>
+
+#include "host/geometry/unit_vector.hpp"
+#include "host/papers/picture_file.hpp"
 #include "host/papers/room_floor.hpp"
 
 namespace echomap::papers {
 namespace {
 
 constexpr double kCellM = 0.01;
-constexpr double kMarginM = 0.2;
+constexpr double kCrossPx = 7.0;
 
-exports::MapView view_of(const world::FloorPlan& room, std::vector<exports::LegendEntry> legend) {
+exports::MapView view_of(const world::FloorPlan& room,
+                         std::vector<exports::LegendEntry> legend,
+                         double margin_m) {
   exports::MapViewParams params;
   params.legend = std::move(legend);
-  return exports::MapView(floor_of(room, kCellM, kMarginM), params);
+  return exports::MapView(floor_of(room, kCellM, margin_m), params);
 }
 
 }  // namespace
@@ -29,8 +35,10 @@ std::vector<Eigen::Vector2d> positions_of(const localization::Particles& particl
   return positions_m;
 }
 
-RoomPicture::RoomPicture(const world::FloorPlan& room, std::vector<exports::LegendEntry> legend)
-    : view_(view_of(room, std::move(legend))), picture_(view_.draw()) {
+RoomPicture::RoomPicture(const world::FloorPlan& room,
+                         std::vector<exports::LegendEntry> legend,
+                         double margin_m)
+    : view_(view_of(room, std::move(legend), margin_m)), picture_(view_.draw()) {
   view_.limit_to_map(picture_);
   for (const world::Wall& wall : room.walls()) {
     picture_.draw_line(view_.place(wall.segment.from_m),
@@ -48,6 +56,35 @@ void RoomPicture::add_points(const std::vector<Eigen::Vector2d>& points_m,
   }
 }
 
+void RoomPicture::add_path(const std::vector<Eigen::Vector2d>& points_m,
+                           double width_px,
+                           exports::Colour colour) {
+  for (std::size_t i = 1; i < points_m.size(); ++i) {
+    picture_.draw_line(view_.place(points_m[i - 1]), view_.place(points_m[i]), width_px, colour);
+  }
+}
+
+void RoomPicture::add_ellipse(const Eigen::Vector2d& mean_m,
+                              const Eigen::Matrix2d& covariance_m2,
+                              double sigmas,
+                              exports::Colour colour) {
+  constexpr int kSides = 72;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance_m2);
+  const Eigen::Matrix2d scaled_axes =
+      axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  std::vector<Eigen::Vector2d> outline_m;
+  for (int i = 0; i <= kSides; ++i) {
+    const double angle_rad = 2.0 * std::numbers::pi * i / kSides;
+    outline_m.emplace_back(mean_m + sigmas * scaled_axes * geometry::unit_vector(angle_rad));
+  }
+  add_path(outline_m, 2.0, colour);
+  const Eigen::Vector2d middle = view_.place(mean_m);
+  for (const Eigen::Vector2d& arm :
+       {Eigen::Vector2d(kCrossPx, kCrossPx), Eigen::Vector2d(kCrossPx, -kCrossPx)}) {
+    picture_.draw_line(middle - arm, middle + arm, 2.0, colour);
+  }
+}
+
 void RoomPicture::add_robot(const geometry::Pose2& T_world_robot,
                             double radius_m,
                             exports::Colour colour) {
@@ -58,10 +95,7 @@ void RoomPicture::add_robot(const geometry::Pose2& T_world_robot,
 }
 
 std::vector<std::uint8_t> RoomPicture::write_png(const std::filesystem::path& file) const {
-  std::filesystem::create_directories(file.parent_path());
-  picture_.write_png(file, view_.texts());
-  const std::string bytes = files::read_text_file(file);
-  return {bytes.begin(), bytes.end()};
+  return write_picture(picture_, file, view_.texts());
 }
 
 }  // namespace echomap::papers

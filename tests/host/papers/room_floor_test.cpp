@@ -24,5 +24,10 @@ TEST(RoomFloor, ItsBoxHasShares) {
   EXPECT_EQ(box.at(0.5, 1.0), Eigen::Vector2d(1.5, 2.6));
 }
 
+TEST(RoomFloor, RoomsComeWithThePrograms) {
+  EXPECT_EQ(bundled_room("epuck_field").obstacles_m().size(), 2U);
+  EXPECT_ANY_THROW(bundled_room("no_such_room"));
+}
+
 }  // namespace
 }  // namespace echomap::papers

@@ -23,5 +23,16 @@ TEST(RoomPicture, IsWrittenAndReturnedAndHasWhatIsDrawn) {
   EXPECT_NE(before, after);
 }
 
+TEST(RoomPicture, ShowsPathsAndEllipses) {
+  const tests::ScratchFolder folder;
+  RoomPicture picture(tests::bundled_room("epuck_field"), {}, 0.05);
+  const auto empty = picture.write_png(folder / "empty.png");
+  picture.add_path({{0.1, 0.1}, {0.7, 0.1}}, 2.0, exports::kBlue);
+  const auto path = picture.write_png(folder / "path.png");
+  picture.add_ellipse({0.4, 0.3}, 0.01 * Eigen::Matrix2d::Identity(), 1.0, exports::kBlue);
+  EXPECT_NE(path, empty);
+  EXPECT_NE(picture.write_png(folder / "ellipse.png"), path);
+}
+
 }  // namespace
 }  // namespace echomap::papers

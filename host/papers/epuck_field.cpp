@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/papers/epuck_field.hpp"
+#include "host/papers/epuck_field.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,8 @@
 #include "host/mapping/contact_mapper.hpp"
 #include "host/mapping/occupancy_grid.hpp"
 #include "host/models/occupied_sector.hpp"
-#include "tests/papers/epuck_ring.hpp"
-#include "tests/support/offline_exploration.hpp"
+#include "host/papers/epuck_ring.hpp"
+#include "host/papers/room_floor.hpp"
 
 namespace echomap::papers {
 
@@ -23,9 +23,7 @@ namespace {
 using geometry::CellIndex;
 using geometry::Pose2;
 
-constexpr double kCellM = 0.001;
-constexpr double kReachM = 0.06;
-constexpr double kBodyRadiusM = 0.037;
+constexpr double kGridCellM = 0.001;
 constexpr double kCentilogits = 100.0;
 
 /// Beside the walls and round both blocks at 5 to 6 cm, and lanes through the rest.
@@ -88,14 +86,14 @@ class SectorGrid {
     models::OccupiedSectorParams model;
     model.thickness_m = params.thickness_m;
     model.beam_width_rad = params.beam_width_rad;
-    model.max_range_m = kReachM;
+    model.max_range_m = kEpuckReachM;
     model.occupied_log_odds = params.occupied_log_odds;
     model.free_log_odds = params.free_log_odds;
     return model;
   }
   static mapping::OccupancyGridParams grid_params() {
     mapping::OccupancyGridParams params;
-    params.resolution_m = kCellM;
+    params.resolution_m = kGridCellM;
     params.free_threshold = 0.45;
     params.occupied_threshold = 0.55;
     return params;
@@ -131,7 +129,7 @@ void drive_laps(const world::FloorPlan& field,
 }  // namespace
 
 const world::FloorPlan& epuck_field() {
-  static const world::FloorPlan plan = tests::bundled_room("epuck_field");
+  static const world::FloorPlan plan = bundled_room("epuck_field");
   return plan;
 }
 
@@ -153,14 +151,14 @@ mapping::RasterMap map_epuck_field(const world::FloorPlan& field,
   return mapping::rasterize(grid.grid());
 }
 
-mapping::RasterMap feel_epuck_field(const world::FloorPlan& field, std::uint32_t seed) {
-  constexpr double kNearCellM = 0.01;
+mapping::RasterMap map_epuck_contacts(const world::FloorPlan& field, std::uint32_t seed) {
+  constexpr double kContactCellM = 0.01;
   mapping::ContactMapperParams params;
-  params.body_radius_m = kBodyRadiusM;
-  params.infrared_reach_m = kReachM;
+  params.body_radius_m = kEpuckRadiusM;
+  params.infrared_reach_m = kEpuckReachM;
   params.T_robot_infrared = EpuckRing(field, seed).places();
   mapping::OccupancyGridParams grid;
-  grid.resolution_m = kNearCellM;
+  grid.resolution_m = kContactCellM;
   mapping::ContactMapper mapper(params, grid);
   drive_laps(field, {}, seed, [&](const Pose2& T_world_robot, const Readings& readings) {
     std::vector<std::optional<double>> range_m;

@@ -6,9 +6,14 @@
 
 #include "hil_mock/world/floor_plan.hpp"
 #include "host/mapping/raster_map.hpp"
-#include "tests/papers/drive_path.hpp"
+#include "host/papers/drive_path.hpp"
 
 namespace echomap::papers {
+
+/// From the middle of an e-puck to its hull.
+constexpr double kEpuckRadiusM = 0.037;
+/// z_max: an infra-red sensor sees so far.
+constexpr double kEpuckReachM = 0.06;
 
 /// Numbers that Mahmood and Ridao leave open. z_max is their 6 cm, a cell their millimetre.
 struct EpuckGridParams {
@@ -40,6 +45,6 @@ mapping::RasterMap map_epuck_field(const world::FloorPlan& field,
                                    std::uint32_t seed);
 
 /// The same drives as RobotPipeline maps them: in cells of 1 cm by mapping::ContactMapper.
-mapping::RasterMap feel_epuck_field(const world::FloorPlan& field, std::uint32_t seed);
+mapping::RasterMap map_epuck_contacts(const world::FloorPlan& field, std::uint32_t seed);
 
 }  // namespace echomap::papers

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/papers/drive_path.hpp"
+#include "host/papers/drive_path.hpp"
 
 #include <cmath>
 
