@@ -215,8 +215,8 @@ Experiment epuck_grid_experiment(const PaperSettings& settings) {
       "Roughly. The walls are found with gaps, and nearly all of the floor. But a wall that a beam "
       "meets obliquely looks too far or does not answer: arcs and a moat called free lie behind "
       "the walls, which the paper's algorithm does nothing about. With small clots called free, "
-      "less of the floor is unknown, and the middles of the blocks stay as they are. Our way has "
-      "fewer ghosts behind the walls, and a little less of walls and floor.";
+      "less of the floor is unknown, and the middles of the blocks stay as they are. Our way, in "
+      "coarser cells, has fewer ghosts behind the walls, and a little less of walls and floor.";
   experiment.findings = grid_findings(map_all(settings));
   experiment.pictures = grid_pictures(settings);
   experiment.equations = grid_equations();
