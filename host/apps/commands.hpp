@@ -140,6 +140,8 @@ struct LocalizeOptions {
   /// The camera's frame in the map: metres and degrees; empty: the map's own.
   std::vector<double> camera_at;
   localization::LocalizerPreset preset = localization::LocalizerPreset::kDefault;
+  std::optional<std::size_t> particles{};    ///< Empty: those of the preset.
+  std::optional<double> resampling_share{};  ///< Empty: that of the preset.
   session::ConnectionOptions connection;
   RunOptions run;
   LiveOptions live;

@@ -9,6 +9,7 @@
 #include "host/mapping/raster_map.hpp"
 #include "host/tracking/mcl_filter.hpp"
 #include "host/tracking/pose_report.hpp"
+#include "host/tracking/stop_driver.hpp"
 
 namespace echomap::apps {
 namespace {

@@ -119,12 +119,15 @@ RunEnding ending_of_log(const LocalizeOptions& options,
                         const std::string& outcome,
                         const std::string& damage,
                         const pipeline::RobotLocalizer& localizer) {
-  return outcome == "finished"
-             ? ending_of_localization(
-                   outcome,
-                   tracking::to_json(localizer.belief()),
-                   {"echomap", "localize", options.log.string(), "--map", options.map.string()})
-             : ending_of_replay(outcome, damage, options.map.string());
+  if (outcome != "finished") {
+    return ending_of_replay(outcome, damage, options.map.string());
+  }
+  const console::CommandWords words{
+      "echomap", "localize", options.log.string(), "--map", options.map.string()};
+  return ending_of_preset(
+      options.preset,
+      ending_of_localization(outcome, tracking::to_json(localizer.belief()), words),
+      words);
 }
 
 nlohmann::ordered_json log_report(const LocalizeOptions& options,
@@ -181,7 +184,7 @@ ExitCode localize_recording(const LocalizeOptions& options,
   pipeline::RobotLocalizer localizer(
       read_map(options.map),
       profile.geometry,
-      tracking::localizer_params(profile, options.preset),
+      localizer_params(profile, options),
       session::Seed(options.run.seed).generator(session::SeedPurpose::kLocalizer));
   start(options, localizer);
   return report_on(options, out, play(recording, profile, localizer), localizer);
@@ -193,8 +196,13 @@ ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::pat
   if (recording) {
     return localize_recording(options, *recording, out);
   }
+  if (options.preset == localization::LocalizerPreset::kCreate) {
+    throw CommandError(ExitCode::kUsage,
+                       "preset 'create' localizes by contacts, and a log is played for its ranges\n"
+                       "  next: leave --preset out, or localize the recording of a Create");
+  }
   pipeline::RobotLocalizerParams params;
-  params.preset = options.preset;
+  set_filter(options, params);
   pipeline::RobotLocalizer localizer(
       read_map(options.map),
       {},

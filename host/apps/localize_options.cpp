@@ -39,9 +39,9 @@ void check_what_fits(const CLI::App& command, const LocalizeOptions& options) {
   if (is_ekf && !options.log.empty()) {
     throw CLI::ValidationError("--filter", "ekf follows a robot on a --port, not a log");
   }
-  const std::vector<std::string> others = is_ekf
-                                              ? std::vector<std::string>{"--map", "--preset"}
-                                              : std::vector<std::string>{"--fixes", "--camera-at"};
+  const std::vector<std::string> others =
+      is_ekf ? std::vector<std::string>{"--map", "--preset", "--particles", "--resampling"}
+             : std::vector<std::string>{"--fixes", "--camera-at"};
   for (const std::string& other : others) {
     if (command.count(other) > 0) {
       throw CLI::ValidationError(other,
@@ -77,6 +77,16 @@ void add_filter_options(CLI::App& command, LocalizeOptions& options) {
       [&options](const std::string& name) { options.preset = preset_option(name); },
       "Filter preset, ours or that of a paper: " +
           CLI::detail::join(pipeline::preset_names(), ", "));
+  command
+      .add_option(
+          "--particles", options.particles, "Number of particles; by default that of the preset")
+      ->check(CLI::Range(std::size_t{10}, std::size_t{200'000}));
+  command
+      .add_option("--resampling",
+                  options.resampling_share,
+                  "Resample below this share of effective particles, 1 at every update; by default "
+                  "that of the preset")
+      ->check(CLI::Range(0.0, 1.0));
 }
 
 }  // namespace
@@ -97,6 +107,8 @@ void add_localize(CLI::App& app, CommandAction& action) {
       ->check(check_finite);
   add_filter_options(*command, *options);
   add_connection_options(*command, options->connection);
+  constexpr double kBounceS = 300.0;
+  options->run.strategy.seconds = kBounceS;
   add_run_options(*command, options->run);
   add_live_options(*command, options->live, true);
   for (const char* of_a_robot : {"--port",
@@ -112,7 +124,9 @@ void add_localize(CLI::App& app, CommandAction& action) {
   }
   command->footer(
       "Example: echomap localize tuesday.log --map monday\n"
-      "Example: echomap localize --port /dev/ttyACM0 --map kitchen");
+      "Example: echomap localize --port /dev/ttyACM0 --map kitchen\n"
+      "Example: echomap localize --port /dev/ttyACM0 --robot create --map arena\n"
+      "Example: echomap localize field --map field --preset epuck --resampling 1");
   command->callback([&action, command, options] {
     check_what_fits(*command, *options);
     action = [options] { return run_localize(*options); };

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <random>
 #include <string>
 #include <utility>
 
@@ -21,18 +22,24 @@
 #include "host/apps/saved_map.hpp"
 #include "host/apps/session_progress.hpp"
 #include "host/console/print.hpp"
+#include "host/exploration/nxt_rounds.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/pipeline/preset_names.hpp"
 #include "host/session/firmware_name.hpp"
 #include "host/session/open_robot.hpp"
+#include "host/session/robot_profile.hpp"
+#include "host/strategies/strategy_setup.hpp"
 #include "host/tracking/ekf_filter.hpp"
 #include "host/tracking/mcl_filter.hpp"
+#include "host/tracking/stop_driver.hpp"
+#include "host/tracking/strategy_drive.hpp"
 
 namespace echomap::apps {
 namespace {
 
 using nlohmann::ordered_json;
 using session::RobotProfile;
+using strategies::StrategyOptions;
 
 /// Of a filter's particles, so many show how they lie.
 constexpr std::size_t kRecordedPoses = 500;
@@ -52,7 +59,7 @@ std::unique_ptr<tracking::LiveFilter> filter_for(const LocalizeOptions& options,
   }
   return std::make_unique<tracking::MclFilter>(*map,
                                                profile.geometry,
-                                               tracking::localizer_params(profile, options.preset),
+                                               localizer_params(profile, options),
                                                tracking::start_pose(options.at),
                                                seed.generator(session::SeedPurpose::kLocalizer));
 }
@@ -119,6 +126,7 @@ console::CommandWords words_of(const LocalizeOptions& options) {
 
 RunEnding ending_of_drive(const session::RobotContext& context,
                           const FollowedRobot& robot,
+                          localization::LocalizerPreset preset,
                           const console::CommandWords& localize) {
   const auto found = context.diagnosis();
   if (found && forbids_a_map(found->fault.kind)) {
@@ -133,8 +141,10 @@ RunEnding ending_of_drive(const session::RobotContext& context,
   if (is_trouble(finished)) {
     return ending_of(finished, std::nullopt, std::nullopt, {again, again, again, again});
   }
-  RunEnding ending =
-      ending_of_localization(exploration::name_of(finished), robot.filter.report(), localize);
+  RunEnding ending = ending_of_preset(
+      preset,
+      ending_of_localization(exploration::name_of(finished), robot.filter.report(), localize),
+      localize);
   return found ? with_fault(std::move(ending), advice_of(found->fault, context.profile())) : ending;
 }
 
@@ -177,7 +187,64 @@ void drive(session::RobotContext& context,
   }
 }
 
+/// A robot with a sonar sweeps at stops; others feel their way as their strategy has it.
+StrategyOptions strategy_for(const RobotProfile& profile, const LocalizeOptions& options) {
+  StrategyOptions strategy = options.run.strategy;
+  const bool is_named = strategy.name != StrategyOptions().name;
+  if (profile.has_sonar && is_named) {
+    throw CommandError(ExitCode::kUsage,
+                       "--strategy " + strategy.name +
+                           " does not localize a robot with a sonar, "
+                           "which drives from stop to stop\n  next: leave --strategy out");
+  }
+  if (!profile.has_sonar && !is_named) {
+    strategy.name = strategies::strategy_without_sonar(profile);
+  }
+  return strategy;
+}
+
+/// Of a robot in the simplest way of its preset: the paper's rounds, stops chosen by what they
+/// would tell, or a drive by what it feels.
+std::unique_ptr<tracking::LocalizationDrive> drive_for(session::RobotContext& context,
+                                                       const LocalizeOptions& options,
+                                                       const StrategyOptions& strategy,
+                                                       const tracking::LiveFilter& filter,
+                                                       std::mt19937& random) {
+  const RobotProfile& profile = context.profile();
+  if (options.preset == localization::LocalizerPreset::kNxt) {
+    return std::make_unique<tracking::StrategyDrive>(context, [&profile] {
+      exploration::NxtRoundsParams params;
+      params.pan_limit_rad = profile.pan_limit_rad;
+      params.settle_s = profile.settle_s;
+      return strategies::under_watch(
+          std::make_unique<exploration::NxtRounds>(params), profile, false);
+    });
+  }
+  if (profile.has_sonar) {
+    return std::make_unique<tracking::StopDriver>(
+        context, options.run.slam, [&filter](const geometry::Pose2& goal) {
+          return filter.telling(goal);
+        });
+  }
+  return std::make_unique<tracking::StrategyDrive>(context, [&profile, strategy, &random] {
+    return strategies::explorer_for(profile, strategy, random);
+  });
+}
+
 }  // namespace
+
+void set_filter(const LocalizeOptions& options, pipeline::RobotLocalizerParams& params) {
+  params.preset = options.preset;
+  params.particles = options.particles;
+  params.resampling_share = options.resampling_share;
+}
+
+pipeline::RobotLocalizerParams localizer_params(const RobotProfile& profile,
+                                                const LocalizeOptions& options) {
+  pipeline::RobotLocalizerParams params = tracking::localizer_params(profile, options.preset);
+  set_filter(options, params);
+  return params;
+}
 
 bool follow_to_next_stop(const FollowedRobot& robot) {
   if (!robot.driver.go_to_next_stop()) {
@@ -196,7 +263,10 @@ bool follow_to_next_stop(const FollowedRobot& robot) {
 
 ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::path& out) {
   const RunOptions& run = options.run;
-  session::RobotContext context(profile_for(run.robot, run.strategy), session::Seed(run.seed));
+  RobotProfile profile = session::load_robot_profile(run.robot);
+  const StrategyOptions strategy = strategy_for(profile, options);
+  strategies::validate_fit(profile, strategy);
+  session::RobotContext context(std::move(profile), session::Seed(run.seed));
   const auto map = options.filter == "mcl" ? std::optional(read_map(options.map)) : std::nullopt;
   auto made = filter_for(options, context.profile(), map, context.seed());
   tracking::LiveFilter& filter = *made;
@@ -205,9 +275,9 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   session::OpenedRobot opened = session::open_robot(options.connection, context.seed());
   opened.connection.may_be_lifted = true;
   context.open(std::move(opened));
-  tracking::StopDriver driver(
-      context, run.slam, [&](const geometry::Pose2& goal) { return filter.telling(goal); });
-  const FollowedRobot robot{context, driver, filter};
+  std::mt19937 random = context.seed().generator(session::SeedPurpose::kStrategy);
+  const auto driver = drive_for(context, options, strategy, filter, random);
+  const FollowedRobot robot{context, *driver, filter};
 
   Account account(options, context.profile());
   if (context.lockstep() != nullptr) {
@@ -223,7 +293,7 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   live.show_nothing();
   context.session().disarm();
   account.describe(context.diagnosis());
-  const RunEnding ending = ending_of_drive(context, robot, words_of(options));
+  const RunEnding ending = ending_of_drive(context, robot, options.preset, words_of(options));
   account.save(ending, robot, out);
   end_recording(context, account.json(), out);
   write_report(run.json, account.json());

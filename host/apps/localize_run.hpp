@@ -6,18 +6,25 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "host/apps/commands.hpp"
+#include "host/pipeline/robot_localizer.hpp"
 #include "host/session/robot_context.hpp"
 #include "host/tracking/live_filter.hpp"
-#include "host/tracking/stop_driver.hpp"
+#include "host/tracking/localization_drive.hpp"
 
 namespace echomap::apps {
 
 /// A robot that drives from stop to stop, and the filter that listens.
 struct FollowedRobot {
   session::RobotContext& context;
-  tracking::StopDriver& driver;
+  tracking::LocalizationDrive& driver;
   tracking::LiveFilter& filter;
 };
+
+/// How that robot is localized. Throws CommandError where the preset does not fit it.
+pipeline::RobotLocalizerParams localizer_params(const session::RobotProfile& profile,
+                                                const LocalizeOptions& options);
+/// What of the options every filter has, whatever the robot.
+void set_filter(const LocalizeOptions& options, pipeline::RobotLocalizerParams& params);
 
 /// Drives to the next stop, records and says where the robot is. Once it is not where it was
 /// thought to be, the driver's own map is void, too. False where the drive is over.

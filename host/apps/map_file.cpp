@@ -2,9 +2,15 @@
 #include "host/apps/map_file.hpp"
 
 #include <algorithm>
+#include <optional>
+
+#include <nlohmann/json.hpp>
 
 #include "host/console/exit_code.hpp"
+#include "host/exports/geojson.hpp"
 #include "host/exports/pgm_yaml.hpp"
+#include "host/files/atomic_file.hpp"
+#include "host/localization/polygon_view.hpp"
 
 namespace echomap::apps {
 namespace {
@@ -19,11 +25,34 @@ bool has_floor(const mapping::RasterMap& map) {
   return false;
 }
 
+/// Of a robot that has followed its walls: the grid has only the floor along them, the outline all
+/// of it. Empty where the strategy drew none.
+std::optional<mapping::PolygonMap> outline_by_strategy(const std::filesystem::path& run) {
+  const auto summary = run / "summary.json";
+  const auto outline = run / "outline.geojson";
+  if (!exists(summary) || !exists(outline)) {
+    return std::nullopt;
+  }
+  const auto json = nlohmann::json::parse(files::read_text_file(summary), nullptr, false);
+  return json.is_object() && json.value("outline_by_strategy", false)
+             ? exports::read_outline_geojson(outline)
+             : std::nullopt;
+}
+
+mapping::RasterMap read_raster(const std::filesystem::path& map) {
+  if (!std::filesystem::is_directory(map)) {
+    return exports::read_pgm_yaml(map);
+  }
+  constexpr double kOutlineCellM = 0.01;
+  const auto outline = outline_by_strategy(map);
+  return outline ? localization::rasterize(*outline, kOutlineCellM)
+                 : exports::read_pgm_yaml(map / "map.yaml");
+}
+
 }  // namespace
 
 mapping::RasterMap read_map(const std::filesystem::path& map) {
-  const bool is_run = std::filesystem::is_directory(map);
-  mapping::RasterMap raster = exports::read_pgm_yaml(is_run ? map / "map.yaml" : map);
+  mapping::RasterMap raster = read_raster(map);
   if (!has_floor(raster)) {
     throw console::CommandError(console::ExitCode::kRuntimeError,
                                 map.string() +

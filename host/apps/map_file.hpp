@@ -7,7 +7,8 @@
 
 namespace echomap::apps {
 
-/// The map of a run directory, or of the YAML file of a ROS map. Throws files::FileError, and
+/// The map of a run directory, or of the YAML file of a ROS map; of a run that followed its walls
+/// the floor inside of the outline that it drew. Throws files::FileError, and
 /// CommandError 1 for a map without any floor where a robot could be.
 mapping::RasterMap read_map(const std::filesystem::path& map);
 

@@ -13,6 +13,7 @@
 #include "host/exploration/coverage.hpp"
 #include "host/exploration/explorer.hpp"
 #include "host/exports/summary_json.hpp"
+#include "host/localization/localizer_preset.hpp"
 #include "host/mapping/expected_wall_error.hpp"
 #include "host/pipeline/robot_pipeline.hpp"
 #include "host/pipeline/snapshot.hpp"
@@ -90,6 +91,12 @@ RunEnding ending_of_replay(const std::string& outcome,
 RunEnding ending_of_localization(const std::string& outcome,
                                  const nlohmann::ordered_json& report,
                                  const console::CommandWords& localize);
+
+/// The same by a paper's settings: where they end they cannot tell whether they are right, so that
+/// a localized robot is no success. Unchanged for the default preset.
+RunEnding ending_of_preset(localization::LocalizerPreset preset,
+                           RunEnding ending,
+                           const console::CommandWords& localize);
 
 /// The same as entries of a report: outcome, finished, why and next.
 nlohmann::ordered_json to_json(const RunEnding& ending);

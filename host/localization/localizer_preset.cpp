@@ -6,14 +6,17 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "host/localization/combined_model.hpp"
 #include "host/localization/contact_model.hpp"
 #include "host/localization/correlation_model.hpp"
 #include "host/localization/likelihood_field_model.hpp"
 #include "host/localization/point_cloud_view.hpp"
+#include "host/localization/polygon_view.hpp"
 #include "host/localization/range_table_model.hpp"
 #include "host/localization/view_model.hpp"
 #include "host/mapping/polygon_map.hpp"
 #include "host/models/gaussian_range.hpp"
+#include "host/models/infrared_range.hpp"
 
 namespace echomap::localization {
 
@@ -33,7 +36,7 @@ LocalizerParams plain_params(std::size_t particles, const LocalizedRobot& robot)
   params.watches_for_loss = false;
   params.global_start = GlobalStart::kScattered;
   // Places of a robot that sees no farther than 6 cm are told apart in a field of 80.
-  if (robot.max_range_m > 0.0) {
+  if (robot.by != LocalizedBy::kContacts && robot.max_range_m > 0.0) {
     params.hypotheses.bin_m = std::min(params.hypotheses.bin_m, robot.max_range_m);
   }
   return params;
@@ -70,6 +73,31 @@ LocalizerParams epuck_params(const LocalizedRobot& robot) {
   return params;
 }
 
+/// Of a sensor whose silence is part of its readings.
+LocalizerParams without_loss_monitor(LocalizerParams params) {
+  params.watches_for_loss = false;
+  return params;
+}
+
+/// Of the walls in the map of a robot that followed them, metres; as ContactParams has it.
+constexpr double kFollowedWallStddevM = 0.02;
+
+/// Ours, for a ring of infra-red sensors: lengths are in proportion to its reach. Most of its
+/// rounds along one wall say the same, and a field that is alike on both sides keeps both places
+/// only if they count for little.
+LocalizerParams infrared_params(const LocalizedRobot& robot) {
+  LocalizerParams params = without_loss_monitor({});
+  params.filter.min_particles = 3000;
+  params.filter.likelihood_exponent = 0.03;
+  params.filter.spread_m = 0.05 * robot.max_range_m;
+  params.filter.spread_rad = 0.02;
+  params.lattice_m = robot.max_range_m / 3.0;
+  params.localized_stddev_m = 0.7 * robot.max_range_m;
+  params.step_m = 0.5 * robot.max_range_m;
+  params.hypotheses.bin_m = robot.max_range_m;
+  return params;
+}
+
 /// A sonar's reading ends at the first thing in its cone.
 std::unique_ptr<ObservationModel> cone_model(const mapping::RasterMap& map,
                                              const LocalizedRobot& robot,
@@ -81,13 +109,74 @@ std::unique_ptr<ObservationModel> cone_model(const mapping::RasterMap& map,
       models::BeamModel(returns));
 }
 
-/// A laser's reading is matched at its end.
+/// The walls around the largest floor, as straight as the map's cells allow.
+mapping::PolygonMap outline_of_floor(const mapping::RasterMap& map) {
+  mapping::PolygonMapParams params;
+  params.tolerance_m = 1.5 * map.resolution_m();
+  params.min_hole_m2 = 8.0 * map.resolution_m() * map.resolution_m();
+  const auto outline = mapping::polygon_from_raster(map, params);
+  if (!outline) {
+    throw std::invalid_argument("localizer preset: the map has no floor with an outline");
+  }
+  return *outline;
+}
+
+std::unique_ptr<ObservationModel> contact_model(const mapping::RasterMap& map,
+                                                const LocalizedRobot& robot) {
+  return std::make_unique<ContactModel>(outline_of_floor(map), robot.body_radius_m);
+}
+
+std::unique_ptr<ObservationModel> infrared_model(const mapping::RasterMap& map,
+                                                 const LocalizedRobot& robot) {
+  PolygonViewParams view;
+  view.max_range_m = robot.max_range_m;
+  models::InfraredRangeParams range;
+  range.max_range_m = robot.max_range_m;
+  if (robot.by == LocalizedBy::kContacts) {
+    range.near_stddev_m = kFollowedWallStddevM;
+  }
+  return std::make_unique<ViewModel<PolygonView, models::InfraredRange>>(
+      map, PolygonView(outline_of_floor(map), view), models::InfraredRange(range));
+}
+
+/// Of a robot with bumpers, and with a wall sensor where it has one.
+std::unique_ptr<ObservationModel> touch_model(const mapping::RasterMap& map,
+                                              const LocalizedRobot& robot) {
+  if (robot.max_range_m == 0.0) {
+    return contact_model(map, robot);
+  }
+  std::vector<std::unique_ptr<ObservationModel>> models;
+  models.push_back(contact_model(map, robot));
+  models.push_back(infrared_model(map, robot));
+  return std::make_unique<CombinedModel>(std::move(models));
+}
+
 std::unique_ptr<ObservationModel> default_model(const mapping::RasterMap& map,
                                                 const LocalizedRobot& robot) {
-  if (robot.is_light) {
-    return std::make_unique<LikelihoodFieldModel>(map);
+  switch (robot.by) {
+    case LocalizedBy::kLaser:
+      return std::make_unique<LikelihoodFieldModel>(map);
+    case LocalizedBy::kInfrared:
+      return infrared_model(map, robot);
+    case LocalizedBy::kContacts:
+      return touch_model(map, robot);
+    case LocalizedBy::kSonar:
+      break;
   }
   return cone_model(map, robot, models::sonar_cone_returns(), false);
+}
+
+LocalizerParams default_params(const LocalizedRobot& robot) {
+  switch (robot.by) {
+    case LocalizedBy::kInfrared:
+      return infrared_params(robot);
+    case LocalizedBy::kContacts:
+      return without_loss_monitor({});
+    case LocalizedBy::kSonar:
+    case LocalizedBy::kLaser:
+      break;
+  }
+  return {};
 }
 
 std::unique_ptr<ObservationModel> nxt_model(const mapping::RasterMap& map,
@@ -100,15 +189,6 @@ std::unique_ptr<ObservationModel> nxt_model(const mapping::RasterMap& map,
   range.max_range_m = robot.max_range_m;
   return std::make_unique<ViewModel<PointCloudView, models::GaussianRange>>(
       map, PointCloudView(occupied_points(map), cloud), models::GaussianRange(range));
-}
-
-std::unique_ptr<ObservationModel> create_model(const mapping::RasterMap& map,
-                                               const LocalizedRobot& robot) {
-  const auto outline = mapping::polygon_from_raster(map);
-  if (!outline) {
-    throw std::invalid_argument("localizer preset: the map has no floor with an outline");
-  }
-  return std::make_unique<ContactModel>(*outline, robot.body_radius_m);
 }
 
 std::unique_ptr<ObservationModel> epuck_model(const mapping::RasterMap& map,
@@ -134,7 +214,7 @@ LocalizerParams localizer_params(LocalizerPreset preset, const LocalizedRobot& r
     case LocalizerPreset::kDefault:
       break;
   }
-  return {};
+  return default_params(robot);
 }
 
 std::unique_ptr<ObservationModel> observation_model(LocalizerPreset preset,
@@ -144,7 +224,7 @@ std::unique_ptr<ObservationModel> observation_model(LocalizerPreset preset,
     case LocalizerPreset::kNxt:
       return nxt_model(map, robot);
     case LocalizerPreset::kCreate:
-      return create_model(map, robot);
+      return contact_model(map, robot);
     case LocalizerPreset::kEpuck:
       return epuck_model(map, robot);
     case LocalizerPreset::kDefault:

@@ -18,14 +18,21 @@ enum class LocalizerPreset : std::uint8_t {
   kEpuck,    ///< Mahmood and Ridao 2017, section 3.3: correlation with a grid, 1,000 particles.
 };
 
+/// The sensor by which a robot is localized.
+enum class LocalizedBy : std::uint8_t {
+  kSonar,     ///< Weighted by the first wall in its cone.
+  kLaser,     ///< Weighted by where its beams end.
+  kInfrared,  ///< A ring of short range: weighted by the walls in reach, and by their absence.
+  kContacts,  ///< Bumper and virtual wall, and a wall sensor where there is one.
+};
+
 /// What a preset has to know of a robot.
 struct LocalizedRobot {
   /// Half of the range sensor's cone, radians; 0 for a thin beam.
   double beam_half_angle_rad = 0.2618;
-  /// What is farther off does not answer, metres.
+  /// What is farther off does not answer, metres; 0 where the robot only has contacts.
   double max_range_m = 4.0;
-  /// The sensor sees by light, as lasers and infra-red do: it is weighed by where its beams end.
-  bool is_light = false;
+  LocalizedBy by = LocalizedBy::kSonar;
   /// Of a round body with a bumper in front; that of an iRobot Create.
   double body_radius_m = 0.165;
 };
@@ -34,7 +41,7 @@ struct LocalizedRobot {
 LocalizerParams localizer_params(LocalizerPreset preset, const LocalizedRobot& robot);
 
 /// The observation model of a preset. Throws std::invalid_argument for an invalid robot, and for
-/// kCreate where no floor of the map has an outline.
+/// contacts and a ring of infra-red where no floor of the map has an outline.
 std::unique_ptr<ObservationModel> observation_model(LocalizerPreset preset,
                                                     const mapping::RasterMap& map,
                                                     const LocalizedRobot& robot);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/geometry/angle.hpp"
+
 namespace echomap::pipeline {
 
 bool has_moved(const geometry::Pose2& T_odom_before,
@@ -24,6 +26,25 @@ std::vector<localization::RangeReading> evenly_picked(
   for (std::size_t i = 0; i < count; ++i) {
     const localization::RangeReading& reading = gathered[i * gathered.size() / count];
     readings.push_back({T_robot_odom * reading.T_robot_sensor, reading.range_m});
+  }
+  return readings;
+}
+
+std::vector<localization::RangeReading> picked_at_bearings(
+    std::span<const localization::RangeReading> gathered,
+    const geometry::Pose2& T_odom_robot,
+    std::span<const double> bearings_rad) {
+  const std::vector<localization::RangeReading> seen =
+      evenly_picked(gathered, T_odom_robot, gathered.size());
+  std::vector<localization::RangeReading> readings;
+  for (const double bearing_rad : bearings_rad) {
+    const auto off_rad = [&](const localization::RangeReading& reading) {
+      return std::abs(geometry::angle_between(bearing_rad, reading.T_robot_sensor.heading_rad()));
+    };
+    const auto nearest = std::ranges::min_element(seen, {}, off_rad);
+    if (nearest != seen.end()) {
+      readings.push_back(*nearest);
+    }
   }
   return readings;
 }

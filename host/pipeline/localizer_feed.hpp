@@ -30,4 +30,11 @@ std::vector<localization::RangeReading> evenly_picked(
     const geometry::Pose2& T_odom_robot,
     std::size_t most);
 
+/// For each bearing from the robot the reading whose axis is nearest to it, as above; none of an
+/// empty scan.
+std::vector<localization::RangeReading> picked_at_bearings(
+    std::span<const localization::RangeReading> gathered,
+    const geometry::Pose2& T_odom_robot,
+    std::span<const double> bearings_rad);
+
 }  // namespace echomap::pipeline

@@ -9,6 +9,9 @@
 #include "host/geometry/parameter_validator.hpp"
 
 namespace echomap::pipeline {
+
+using localization::LocalizedBy;
+
 namespace {
 
 /// As infra-red is, and a laser, whose beams have no opening.
@@ -22,7 +25,7 @@ localization::LocalizedRobot robot_of(const sensors::RangeScan& scan) {
   // A log that does not say how far its sensor reaches, as of our own runs.
   constexpr double kUnknownReachM = 4.0;
   robot.max_range_m = std::isfinite(scan.max_range_m) ? scan.max_range_m : kUnknownReachM;
-  robot.is_light = is_light(scan);
+  robot.by = is_light(scan) ? LocalizedBy::kLaser : LocalizedBy::kSonar;
   return robot;
 }
 
@@ -62,13 +65,19 @@ RobotLocalizer::~RobotLocalizer() = default;
 
 void RobotLocalizer::make_filter(const localization::LocalizedRobot& robot) {
   auto observation = localization::observation_model(params_.preset, map_, robot);
-  localization::MonteCarloLocalizer localizer(
-      *observation, localization::localizer_params(params_.preset, robot), random_);
-  auto places =
-      is_checked() && !robot.is_light ? localization::own_map_model(map_, robot) : nullptr;
+  localization::LocalizerParams filter = localization::localizer_params(params_.preset, robot);
+  filter.filter.min_particles = params_.particles.value_or(filter.filter.min_particles);
+  filter.filter.max_particles = params_.particles.value_or(filter.filter.max_particles);
+  filter.filter.resampling_share =
+      params_.resampling_share.value_or(filter.filter.resampling_share);
+  localization::MonteCarloLocalizer localizer(*observation, filter, random_);
+  const bool has_scans = robot.by == LocalizedBy::kSonar || robot.by == LocalizedBy::kLaser;
+  auto places = is_checked() && robot.by == LocalizedBy::kSonar
+                    ? localization::own_map_model(map_, robot)
+                    : nullptr;
   localization::ObservationModel* const compared = places ? places.get() : observation.get();
   LocalizationMonitor monitor(
-      map_, is_checked() ? compared : nullptr, robot.max_range_m, params_.monitor);
+      map_, is_checked() && has_scans ? compared : nullptr, robot.max_range_m, params_.monitor);
   filter_ = std::make_unique<Filter>(
       std::move(observation), std::move(places), std::move(localizer), std::move(monitor));
   belief_ = filter_->localizer.belief();
@@ -150,16 +159,50 @@ void RobotLocalizer::lose_pose() {
   start_anywhere();
 }
 
+void RobotLocalizer::on_infrared(const sensors::InfraredObservation& observation) {
+  if (params_.T_robot_infrared.empty()) {
+    return;
+  }
+  T_odom_robot_ = odometry_.update(observation.travel);
+  stamp_ = std::max(stamp_, observation.stamp);
+  const bool is_due =
+      !T_odom_updated_ ||
+      has_moved(
+          *T_odom_updated_, T_odom_robot_, params_.infrared_step_m, params_.infrared_step_rad);
+  if (is_lifted_ || !is_due) {
+    return;
+  }
+  std::vector<localization::RangeReading> readings;
+  for (std::size_t i = 0; i < params_.T_robot_infrared.size(); ++i) {
+    readings.push_back({params_.T_robot_infrared[i], observation.range_m.at(i)});
+  }
+  update(readings);
+  begin_at_told_start();
+  scans_ += is_localized_by(LocalizedBy::kInfrared) ? 1 : 0;
+  ++updates_;
+  note_pose();
+}
+
+bool RobotLocalizer::is_localized_by(LocalizedBy sensor) const {
+  return params_.sensor && params_.sensor->by == sensor;
+}
+
 /// A contact counts where it begins; between contacts, models of ranges know nothing new.
 void RobotLocalizer::add_contact(const models::ContactReading& contact) {
   if (!filter_) {
     return;
   }
   filter_->observation->add_contact(contact);
-  const bool touches = contact.bump_left || contact.bump_right;
+  const bool touches = contact.bump_left || contact.bump_right || contact.virtual_wall;
   const bool has_touched = std::exchange(touches_, touches);
-  if (touches && !has_touched && T_odom_updated_) {
-    update({});
+  if (!touches || has_touched || !T_odom_updated_) {
+    return;
+  }
+  update({});
+  if (is_localized_by(LocalizedBy::kContacts)) {
+    ++scans_;
+    ++updates_;
+    note_pose();
   }
 }
 
@@ -172,7 +215,9 @@ void RobotLocalizer::end_scan() {
   if (!std::exchange(scan_is_open_, false)) {
     return;
   }
-  const auto readings = evenly_picked(gathered_, T_odom_robot_, params_.max_readings);
+  const auto readings = params_.bearings_rad.empty()
+                            ? evenly_picked(gathered_, T_odom_robot_, params_.max_readings)
+                            : picked_at_bearings(gathered_, T_odom_robot_, params_.bearings_rad);
   update(readings);
   check_place(readings);
   gathered_.clear();

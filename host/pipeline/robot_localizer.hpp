@@ -18,10 +18,12 @@
 
 namespace echomap::pipeline {
 
-/// The range sensor of a robot that is looked for in a map, and how.
+/// The sensor of a robot that is looked for in a map, and how.
 struct RobotLocalizerParams {
   /// That of the first range scan where it is not known before.
   std::optional<localization::LocalizedRobot> sensor;
+  /// The ring of a robot that is localized by infra-red, in the order of its readings.
+  std::vector<geometry::Pose2> T_robot_infrared{};
   /// The robot's motion is followed in steps of so much: of a turn to and fro only both ways tell
   /// how far it may be off.
   double step_m = 0.2;
@@ -30,18 +32,30 @@ struct RobotLocalizerParams {
   /// together.
   double scan_step_m = 0.1;
   double scan_step_rad = 0.1745;
+  /// A ring of infra-red sensors is read in steps of so much, since readings from one place err
+  /// together.
+  double infrared_step_m = 0.03;
+  double infrared_step_rad = 0.35;
   /// So many readings of a scan are used, evenly picked.
   std::size_t max_readings = 60;
+  /// Where not empty, of a sonar's scan the readings nearest to these bearings from the robot.
+  std::vector<double> bearings_rad{};
   /// A laser's ranges count up to there, metres.
   double max_laser_range_m = 10.0;
   localization::LocalizerPreset preset = localization::LocalizerPreset::kDefault;
+  /// In place of those of the preset: as many particles as that, resampled below that share of
+  /// effective ones; 1 resamples at each update.
+  std::optional<std::size_t> particles{};
+  std::optional<double> resampling_share{};
   /// When scans contradict the believed place.
   LocalizationMonitorParams monitor;
 };
 
-/// Finds and follows a robot that drives in a map that is given: odometry, and a sonar's scans or
-/// range scans of one kind of sensor in, beliefs out, one a scan. A robot that is lifted may be
-/// anywhere from then on. What a log says of the robot's true pose is not looked at.
+/// Finds and follows a robot that drives in a map that is given: odometry, and a sonar's scans,
+/// range scans of one kind of sensor, infra-red rounds or contacts in, beliefs out, one a scan. A
+/// robot without scans is looked for in steps of its way, and at each contact. A robot that is
+/// lifted may be anywhere from then on. What a log says of the robot's true pose is not looked
+/// at.
 class RobotLocalizer final : public ObservationSink {
  public:
   /// The robot may be anywhere on the map's floor. Throws std::invalid_argument for invalid
@@ -60,6 +74,8 @@ class RobotLocalizer final : public ObservationSink {
   void on_odometry(const sensors::OdometryObservation& observation) override;
   /// Of a scan it updates the belief; between scans it helps to tell places apart at the next one.
   void on_sonar(const sensors::SonarObservation& observation) override;
+  /// Counts once a step where the robot is localized by infra-red.
+  void on_infrared(const sensors::InfraredObservation& observation) override;
   /// A wheel that hangs, or four cliffs at once, mean that the robot was lifted.
   void on_hazards(const sensors::HazardObservation& observation) override;
   /// As a lift: where the robot was put down is what is looked for.
@@ -81,8 +97,9 @@ class RobotLocalizer final : public ObservationSink {
   /// Poses where the robot may be, evenly chosen from the particles of the last update; `count` at
   /// most.
   std::vector<geometry::Pose2> sampled_poses(std::size_t count) const;
-  /// The likeliest place at the end of each scan; of range scans, at each update.
+  /// The likeliest place at the end of each scan; without a sonar's scans, at each update.
   const std::vector<StampedPose>& trajectory() const { return trajectory_; }
+  /// Scans, rounds of infra-red that counted, or contacts.
   std::size_t scans() const { return scans_; }
   /// Updates by scans.
   std::size_t updates() const { return updates_; }
@@ -101,6 +118,7 @@ class RobotLocalizer final : public ObservationSink {
   bool is_late(const sensors::RangeScan& scan);
   void gather(const sensors::RangeScan& scan);
   void follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
+  bool is_localized_by(localization::LocalizedBy sensor) const;
   void add_contact(const models::ContactReading& contact);
   void lose_pose();
   void add_on_the_way(const localization::RangeReading& reading);

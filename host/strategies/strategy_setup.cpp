@@ -228,6 +228,10 @@ void validate_fit(const RobotProfile& profile, const StrategyOptions& options) {
   }
 }
 
+std::string strategy_without_sonar(const RobotProfile& profile) {
+  return lack_of_infrared_ring(profile, {}).empty() ? "epuck" : "random-bounce";
+}
+
 exploration::NxtFarthestParams nxt_farthest_params(const RobotProfile& profile,
                                                    std::optional<std::size_t> max_stops) {
   exploration::NxtFarthestParams params;

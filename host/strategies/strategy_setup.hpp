@@ -77,6 +77,10 @@ std::unique_ptr<exploration::Explorer> under_watch(std::unique_ptr<exploration::
 /// Throws CommandError where the robot lacks what the strategy of the options needs.
 void validate_fit(const session::RobotProfile& profile, const StrategyOptions& options);
 
+/// The name of the strategy by which a robot without a sonar drives where none is named: along
+/// walls with a ring of infra-red sensors, else from bump to bump.
+std::string strategy_without_sonar(const session::RobotProfile& profile);
+
 /// What leads a robot over its map has to know of it.
 exploration::NavigatorParams navigator_params(const session::RobotProfile& profile);
 

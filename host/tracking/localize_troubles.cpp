@@ -11,7 +11,9 @@ std::string why_nowhere(const pipeline::RobotLocalizer& localizer,
                         const std::filesystem::path& log,
                         const std::filesystem::path& map) {
   if (localizer.scans() == 0) {
-    return log.string() + " holds no ranges";
+    return log.string() +
+           " holds no ranges, and no contacts of a robot without them\n"
+           "  next: name the log or the run of a robot that has driven in that room";
   }
   const LocalizerOutcome outcome = localizer.belief().outcome;
   const bool is_the_map =

@@ -13,11 +13,12 @@
 
 namespace echomap::tracking {
 
-/// A preset with what it has to know of a robot.
+/// A preset with what it has to know of a robot: by its sonar, its ring of infra-red sensors or, of
+/// a robot with neither, its contacts. Throws CommandError where the preset needs another sensor.
 pipeline::RobotLocalizerParams localizer_params(const session::RobotProfile& profile,
                                                 localization::LocalizerPreset preset);
 
-/// Monte-Carlo localization in a map, by the sonar.
+/// Monte-Carlo localization in a map.
 class MclFilter final : public LiveFilter {
  public:
   /// Anywhere without `start`. Throws std::invalid_argument for invalid settings or an invalid map.

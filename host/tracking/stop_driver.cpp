@@ -10,21 +10,11 @@
 #include "host/strategies/strategy_setup.hpp"
 
 namespace echomap::tracking {
-namespace {
-
-pipeline::RobotAtlasParams one_map() {
-  pipeline::RobotAtlasParams params;
-  params.keeps_previous_maps = false;
-  return params;
-}
-
-}  // namespace
-
 StopDriver::StopDriver(session::RobotContext& robot,
                        const std::string& slam,
                        exploration::ActiveLocalization::GoalUtility utility)
     : robot_(robot),
-      atlas_(session::atlas_for(robot.profile(), slam, one_map())),
+      atlas_(session::atlas_for(robot.profile(), slam, only_map())),
       utility_(std::move(utility)) {
   robot_.session().look_around_on_the_way(true);
   robot_.fork().add(atlas_);

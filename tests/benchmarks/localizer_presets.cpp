@@ -21,7 +21,8 @@ using localization::LocalizerPreset;
 
 constexpr int kStops = 10;
 /// Of HC-SR04's data sheet; that of the simulated robot is 13 degrees.
-constexpr localization::LocalizedRobot kRobot{geometry::radians(15.0), 4.0, false, 0.09};
+constexpr localization::LocalizedRobot kRobot{
+    .beam_half_angle_rad = geometry::radians(15.0), .max_range_m = 4.0, .body_radius_m = 0.09};
 
 struct NamedPreset {
   const char* name;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "host/console/exit_code.hpp"
+#include "host/exports/geojson.hpp"
 #include "host/exports/pgm_yaml.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/support/drawn_map.hpp"
@@ -21,6 +22,19 @@ TEST(MapFile, IsThatOfARunDirectoryOrTheFileItself) {
   exports::write_pgm_yaml(scratch / "map.yaml", tests::map_from({"###", "#.#", "###"}));
   EXPECT_EQ(read_map(scratch.path()).columns(), 3);
   EXPECT_EQ(read_map(scratch / "map.yaml").rows(), 3);
+}
+
+TEST(MapFile, OfARobotThatFollowedItsWallsIsAllInsideOfItsOutline) {
+  const tests::ScratchFolder scratch;
+  exports::write_pgm_yaml(scratch / "map.yaml", tests::map_from({"###", "#.#", "###"}));
+  const mapping::PolygonMap outline({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}});
+  exports::write_outline_geojson(scratch / "outline.geojson", outline);
+  files::write_text_file(scratch / "summary.json", R"({"outline_by_strategy": false})");
+  EXPECT_EQ(read_map(scratch.path()).columns(), 3);
+  files::write_text_file(scratch / "summary.json", R"({"outline_by_strategy": true})");
+  const mapping::RasterMap map = read_map(scratch.path());
+  EXPECT_EQ(map.state(map.cell_at({1.0, 0.5})), mapping::CellState::kFree);
+  EXPECT_EQ(map.state(map.cell_at({1.0, 0.95})), mapping::CellState::kFree);
 }
 
 TEST(MapFile, NeedsFloorWhereARobotCouldBe) {

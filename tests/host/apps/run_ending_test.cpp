@@ -197,6 +197,23 @@ TEST(RunEnding, OfALocalizationNamesThePlacesThatFit) {
       "ambiguous: 2 places fit: (1.00, -0.50, 0 degrees) 0.55, (1.00, -0.50, 0 degrees) 0.41");
 }
 
+TEST(RunEnding, OfAPapersSettingsIsNoSuccessWhereItsParticlesAgree) {
+  using localization::LocalizerPreset;
+  const console::CommandWords words{"echomap", "localize", "run"};
+  const RunEnding found = ending_of_localization("finished", belief("localized", {1.0}), words);
+  EXPECT_TRUE(ending_of_preset(LocalizerPreset::kDefault, found, words).finished());
+  for (const auto preset :
+       {LocalizerPreset::kNxt, LocalizerPreset::kCreate, LocalizerPreset::kEpuck}) {
+    const RunEnding told = ending_of_preset(preset, found, words);
+    EXPECT_EQ(told.code, ExitCode::kUnfinished);
+    EXPECT_THAT(told.why, HasSubstr("cannot tell whether they are right"));
+    EXPECT_THAT(told.why, HasSubstr("simulated runs"));
+    EXPECT_THAT(told.next, HasSubstr("echomap localize run"));
+  }
+  const RunEnding unsure = ending_of_localization("finished", belief("lost", {0.5}), words);
+  EXPECT_EQ(ending_of_preset(LocalizerPreset::kNxt, unsure, words).why, unsure.why);
+}
+
 TEST(RunEnding, IsInTheSummary) {
   exports::RunSummary summary;
   describe_ending(ending_of(FinishReason::kStopLimit, coverage(6.0, 2.0), {}, kNext), summary);

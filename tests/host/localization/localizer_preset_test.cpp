@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/localization/localizer_preset.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <span>
@@ -9,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "host/localization/polygon_view.hpp"
+#include "host/mapping/polygon_map.hpp"
 #include "tests/support/drawn_map.hpp"
 #include "tests/support/expect_pose_estimate.hpp"
 
@@ -30,7 +34,8 @@ const mapping::RasterMap kPillarRoom = tests::map_from({"######################"
                                                         "#....................#",
                                                         "######################"},
                                                        0.1);
-constexpr LocalizedRobot kRobot{0.0, 2.55, false, 0.1};
+constexpr LocalizedRobot kRobot{
+    .beam_half_angle_rad = 0.0, .max_range_m = 2.55, .body_radius_m = 0.1};
 const geometry::Pose2 kTruth(1.45, 0.55, 0.4);
 
 /// Eight exact ranges from the truth, a centimetre a step.
@@ -94,7 +99,12 @@ TEST(LocalizerPreset, CreateIsFoundByWhatItFeels) {
 }
 
 TEST(LocalizerPreset, ARobotWithoutRangesHasWholeBins) {
-  const LocalizedRobot blind{0.0, 0.0, false, 0.1};
+  LocalizedRobot blind;
+  blind.max_range_m = 0.0;
+  EXPECT_EQ(localizer_params(LocalizerPreset::kCreate, blind).hypotheses.bin_m,
+            HypothesisParams().bin_m);
+  blind.by = LocalizedBy::kContacts;
+  blind.max_range_m = 0.1;  // Of its wall sensor.
   EXPECT_EQ(localizer_params(LocalizerPreset::kCreate, blind).hypotheses.bin_m,
             HypothesisParams().bin_m);
 }
@@ -118,6 +128,62 @@ TEST(LocalizerPreset, NxtSeesAWallOfCellsThatMeetInCorners) {
   particles.log_weight = {0.0F, 0.0F};
   model->update_weights(1.0F, {0, 2}, particles);
   EXPECT_NEAR(particles.log_weight[0], particles.log_weight[1], 0.1F);
+}
+
+/// A robot along the walls of the pillar's room, with a ring that sees 20 cm far.
+TEST(LocalizerPreset, OursKeepsBothPlacesOfARingAlongWallsThatLookAlike) {
+  const LocalizedRobot ring{.beam_half_angle_rad = 0.0,
+                            .max_range_m = 0.2,
+                            .by = LocalizedBy::kInfrared,
+                            .body_radius_m = 0.1};
+  const auto model = observation_model(LocalizerPreset::kDefault, kPillarRoom, ring);
+  MonteCarloLocalizer localizer(
+      *model, localizer_params(LocalizerPreset::kDefault, ring), std::mt19937(1));
+  const PolygonView walls(*mapping::polygon_from_raster(kPillarRoom, {0.15, 0.08}),
+                          {.max_range_m = 0.2});
+  geometry::Pose2 T_map_robot(0.2, 0.25, 0.0);
+  geometry::Pose2 T_odom_robot;
+  const auto step = [&](const geometry::Pose2& T_last_now) {
+    T_map_robot = T_map_robot * T_last_now;
+    T_odom_robot = T_odom_robot * T_last_now;
+    std::vector<RangeReading> readings;
+    for (int i = 0; i < 8; ++i) {
+      const geometry::Pose2 T_robot_sensor(0.0, 0.0, 0.25 * std::numbers::pi * i);
+      const auto expected = walls.expected(T_map_robot * T_robot_sensor);
+      readings.push_back({T_robot_sensor, expected.range_m});
+    }
+    localizer.update(T_odom_robot, readings);
+  };
+  for (int lap = 0; lap < 3; ++lap) {
+    for (const double side_m : {1.7, 0.8, 1.7, 0.8}) {
+      for (double way_m = 0.0; way_m < side_m; way_m += 0.1) {
+        step({0.1, 0.0, 0.0});
+      }
+      step({0.0, 0.0, 0.5 * std::numbers::pi});
+    }
+  }
+  const auto& places = localizer.belief().hypotheses;
+  EXPECT_TRUE(std::ranges::any_of(places, [&](const PoseHypothesis& place) {
+    const geometry::Pose2 off = T_map_robot.inverse() * place.T_map_robot;
+    return place.probability > 0.1 && off.position_m().norm() < 0.1 &&
+           std::abs(off.heading_rad()) < 0.2;
+  }));
+  EXPECT_NE(localizer.belief().status, LocalizationStatus::kLocalized)
+      << "half a turn away the walls are the same, but for the pillar";
+}
+
+TEST(LocalizerPreset, OursTakesContactsAndTheWallSensorBesideThem) {
+  LocalizedRobot felt = kRobot;
+  felt.by = LocalizedBy::kContacts;
+  felt.max_range_m = 0.0;
+  const auto contacts = observation_model(LocalizerPreset::kDefault, kPillarRoom, felt);
+  felt.max_range_m = 0.1;
+  const auto both = observation_model(LocalizerPreset::kDefault, kPillarRoom, felt);
+  const std::vector<RangeReading> reading{{{}, 0.05}};
+  contacts->observe(reading);
+  both->observe(reading);
+  EXPECT_EQ(contacts->count(), 1U);
+  EXPECT_EQ(both->count(), 2U);
 }
 
 TEST(LocalizerPreset, CreateNeedsAnOutline) {

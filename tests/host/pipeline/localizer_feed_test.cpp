@@ -33,6 +33,19 @@ TEST(LocalizerFeed, PicksReadingsEvenlyAndPutsThemBeforeTheRobot) {
   }
 }
 
+TEST(LocalizerFeed, PicksTheReadingsNearestToBearings) {
+  std::vector<localization::RangeReading> gathered;
+  for (int i = 0; i < 60; ++i) {
+    gathered.push_back({geometry::Pose2(0.0, 0.0, 1.0 + geometry::radians(6.0 * i)), 0.1 * i});
+  }
+  const std::vector<double> bearings_rad{geometry::radians(31.0), geometry::radians(-60.0)};
+  const auto picked = picked_at_bearings(gathered, {2.0, 0.0, 1.0}, bearings_rad);
+  ASSERT_EQ(picked.size(), 2U);
+  EXPECT_NEAR(*picked[0].range_m, 0.5, 1e-9) << "at 30 degrees";
+  EXPECT_NEAR(*picked[1].range_m, 5.0, 1e-9) << "at 300 degrees";
+  EXPECT_TRUE(picked_at_bearings({}, {}, bearings_rad).empty());
+}
+
 TEST(LocalizerFeed, TakesAllWhereThereAreFew) {
   const std::vector<localization::RangeReading> gathered(3);
   EXPECT_EQ(evenly_picked(gathered, {}, 60).size(), 3U);

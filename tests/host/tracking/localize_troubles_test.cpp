@@ -36,7 +36,9 @@ std::string reason(const mapping::RasterMap& map, const std::vector<sensors::Ran
 }
 
 TEST(LocalizeTroubles, SayWhyTheRobotIsNowhere) {
-  EXPECT_EQ(reason(kSmallRoom, {}), "a.log holds no ranges");
+  EXPECT_EQ(reason(kSmallRoom, {}),
+            "a.log holds no ranges, and no contacts of a robot without them\n"
+            "  next: name the log or the run of a robot that has driven in that room");
   EXPECT_EQ(reason(mapping::RasterMap(5, 5, 0.1, {0.0, 0.0}), {scan(0.0)}),
             "a.yaml: no cell of the map is known");
   EXPECT_EQ(reason(tests::map_from({"###", "###"}, 0.1), {scan(0.0)}),

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "host/tracking/mcl_filter.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/host/session/session_on_a_cable.hpp"
 #include "tests/support/drawn_map.hpp"
+#include "tests/support/thrown_text.hpp"
 
 namespace echomap::tracking {
 namespace {
 
 using localization::LocalizerPreset;
+using ::testing::HasSubstr;
 
 const mapping::RasterMap kRoom = tests::map_from(
     {"########", "#......#", "#......#", "#...####", "#......#", "#......#", "########"}, 0.2);
@@ -55,6 +58,34 @@ TEST_F(MclFilterTest, TakesTheSonarFromTheProfile) {
   EXPECT_EQ(params.preset, LocalizerPreset::kNxt);
   EXPECT_EQ(params.sensor->beam_half_angle_rad, profile.beam_half_angle_rad);
   EXPECT_EQ(params.sensor->max_range_m, profile.range.max_range_m);
+}
+
+TEST(LocalizerParams, GoByTheSensorThatTheRobotHas) {
+  using localization::LocalizedBy;
+  const auto sensor = [](const char* robot, LocalizerPreset preset) {
+    return localizer_params(session::load_robot_profile(robot), preset).sensor->by;
+  };
+  EXPECT_EQ(sensor("uno_2wd", LocalizerPreset::kDefault), LocalizedBy::kSonar);
+  EXPECT_EQ(sensor("epuck", LocalizerPreset::kEpuck), LocalizedBy::kInfrared);
+  EXPECT_EQ(sensor("create", LocalizerPreset::kCreate), LocalizedBy::kContacts);
+  const auto ring =
+      localizer_params(session::load_robot_profile("epuck"), LocalizerPreset::kDefault);
+  EXPECT_EQ(ring.T_robot_infrared.size(), 8U);
+  EXPECT_DOUBLE_EQ(ring.sensor->max_range_m, 0.06);
+  const auto nxt =
+      localizer_params(session::load_robot_profile("nxt_tribot"), LocalizerPreset::kNxt);
+  EXPECT_EQ(nxt.bearings_rad.size(), 8U) << "the paper's";
+}
+
+TEST(LocalizerParams, RefuseAPresetOfAnotherSensor) {
+  const auto refusal = [](const char* robot, LocalizerPreset preset) {
+    return tests::thrown_text<console::CommandError>(
+        [&] { localizer_params(session::load_robot_profile(robot), preset); });
+  };
+  EXPECT_THAT(refusal("uno_2wd", LocalizerPreset::kCreate), HasSubstr("preset 'create' needs"));
+  EXPECT_THAT(refusal("create", LocalizerPreset::kNxt), HasSubstr("a sonar"));
+  EXPECT_THAT(refusal("epuck", LocalizerPreset::kNxt), HasSubstr("next: leave --preset out"));
+  EXPECT_THAT(refusal("create", LocalizerPreset::kEpuck), HasSubstr("as epuck"));
 }
 
 }  // namespace
