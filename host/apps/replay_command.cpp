@@ -184,7 +184,7 @@ void write_pose_graph(const std::filesystem::path& path, const slam::FactorGraph
   console::print(fmt::format("pose graph: {} ({} poses, {} landmarks, {} edges)",
                              path.string(),
                              graph.T_map_nodes.size(),
-                             graph.landmarks_m.size(),
+                             graph.landmarks_m.size() + graph.walls.size(),
                              graph.edges.size() + graph.landmark_edges.size()));
 }
 
@@ -237,11 +237,17 @@ ExitCode replay_log(const ReplayOptions& options) {
   const RunEnding ending = ending_of_replay(outcome, damage, out.string());
   describe_ending(ending, summary);
   move_earlier_run_aside(out);
-  exports::write_run_directory(
-      out, snapshot, summary, {.align = options.align, .name = options.log.stem().string()});
+  const bool has_slam = played.pipeline().slam() != nullptr;
+  const auto graph = has_slam ? played.pipeline().factor_graph() : slam::FactorGraph{};
+  exports::write_run_directory(out,
+                               snapshot,
+                               summary,
+                               {.align = options.align,
+                                .name = options.log.stem().string(),
+                                .landmarks = {graph.landmarks_m, graph.walls}});
   exports::write_landmarks_csv(out / "landmarks.csv", *snapshot.landmarks);
-  if (played.pipeline().slam() != nullptr) {
-    write_pose_graph(out / "pose_graph.g2o", played.pipeline().factor_graph());
+  if (has_slam) {
+    write_pose_graph(out / "pose_graph.g2o", graph);
   }
   summary.wall_seconds = seconds_since(start);
   auto report = nlohmann::ordered_json::parse(exports::to_json_text(summary));

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "host/datasets/line_reader.hpp"
 #include "host/exports/number_table.hpp"
 
 namespace echomap::evaluation {
@@ -39,7 +40,12 @@ class Spread {
 
 std::vector<PoseRelation> read_relations(const std::filesystem::path& path) {
   std::vector<PoseRelation> relations;
-  for (const auto& [row, line] : exports::read_number_table(path, kFormat)) {
+  datasets::LineReader lines(path);
+  while (const auto text = lines.next()) {
+    if (text->starts_with('#')) {
+      continue;
+    }
+    const auto [row, line] = exports::parse_number_row(*text, kFormat, path, lines.line_number());
     if (!is_index(row[0]) || !is_index(row[1])) {
       exports::fail_at_line(path, line, "records are whole numbers from 0");
     }

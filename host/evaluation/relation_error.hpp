@@ -27,8 +27,8 @@ struct RelationError {
   double rotation_stddev_rad = 0.0;
 };
 
-/// Reads lines `from to dx_m dy_m dtheta_rad`. Throws files::FileError whose text begins
-/// `file:line: `.
+/// Reads lines `from to dx_m dy_m dtheta_rad` of a file, plain or gz. Throws files::FileError whose
+/// text begins `file:line: `.
 std::vector<PoseRelation> read_relations(const std::filesystem::path& path);
 
 /// Compares with one pose for each record, in any frame: nothing is aligned. Throws

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kOutlineWidth = 5.0;
 constexpr double kFittedWidth = 2.0;
+constexpr double kLandmarkWidth = 2.0;
+constexpr double kLandmarkRadius = 3.0;
 constexpr double kTrailWidth = 2.0;
 constexpr double kMinRobotRadius = 4.0;
 constexpr double kEchoShare = 0.45;
@@ -61,6 +63,16 @@ void draw_features(const mapping::SonarFeatures& features, const MapView& view, 
   }
 }
 
+void draw_landmarks(const MapLandmarks& landmarks, const MapView& view, Picture& picture) {
+  for (const geometry::Segment& wall : landmarks.walls) {
+    picture.draw_line(
+        view.place(wall.from_m), view.place(wall.to_m), kLandmarkWidth, kLandmarkColour);
+  }
+  for (const Eigen::Vector2d& point_m : landmarks.points_m) {
+    picture.fill_disc(view.place(point_m), kLandmarkRadius, kLandmarkColour);
+  }
+}
+
 void draw_trail(const pipeline::Snapshot& snapshot, const MapView& view, Picture& picture) {
   const auto& trajectory = *snapshot.trajectory;
   if (trajectory.empty()) {
@@ -103,6 +115,7 @@ Picture draw_map(const MapView& view,
   if (style.shows_features) {
     draw_features(*snapshot.features, view, picture);
   }
+  draw_landmarks(style.landmarks, view, picture);
   draw_trail(snapshot, view, picture);
   draw_robot(snapshot.latest.T_map_robot, style.robot_radius_m, view, picture);
   return picture;

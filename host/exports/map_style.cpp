@@ -15,6 +15,9 @@ std::vector<LegendEntry> legend_of(const pipeline::Snapshot& snapshot,
   if (style.shows_features && !(features.walls.empty() && features.circles.empty())) {
     legend.push_back({kFittedColour, "fitted"});
   }
+  if (!style.landmarks.empty()) {
+    legend.push_back({kLandmarkColour, "landmark"});
+  }
   if (!snapshot.points->points().empty()) {
     legend.push_back({kEchoColour, "echo"});
   }

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "host/exports/map_view.hpp"
+#include "host/geometry/segment.hpp"
 #include "host/pipeline/snapshot.hpp"
 
 namespace echomap::exports {
@@ -18,6 +19,15 @@ constexpr Colour kTrailColour = kBlue;
 constexpr Colour kRobotColour = kVermilion;
 constexpr Colour kOutlineColour = kGreen;
 constexpr Colour kStartColour = kSkyBlue;
+constexpr Colour kLandmarkColour = kPurple;
+
+/// Landmarks of SLAM, in the map frame.
+struct MapLandmarks {
+  std::vector<Eigen::Vector2d> points_m{};
+  std::vector<geometry::Segment> walls{};
+
+  bool empty() const { return points_m.empty() && walls.empty(); }
+};
 
 /// How map.png and map.svg are drawn.
 struct MapStyle {
@@ -27,6 +37,7 @@ struct MapStyle {
   double robot_radius_m = 0.09;
   /// Whether fitted walls and obstacles are drawn.
   bool shows_features = true;
+  MapLandmarks landmarks{};
 };
 
 /// The legend of a snapshot's pictures: what of all this it has.

@@ -17,6 +17,7 @@ using mapping::RasterMap;
 /// Widths on paper, millimetres.
 constexpr double kOutlineMm = 1.0;
 constexpr double kFittedMm = 0.5;
+constexpr double kLandmarkMm = 0.5;
 constexpr double kTrailMm = 0.4;
 constexpr double kEchoMm = 0.35;
 constexpr double kNoseMm = 0.6;
@@ -79,6 +80,17 @@ std::string features_path(const mapping::SonarFeatures& features) {
   return path;
 }
 
+std::string landmarks_path(const MapLandmarks& landmarks, double radius_m) {
+  std::string path;
+  for (const geometry::Segment& wall : landmarks.walls) {
+    path += svg_polyline({wall.from_m, wall.to_m});
+  }
+  for (const Eigen::Vector2d& point_m : landmarks.points_m) {
+    path += svg_circle(point_m, radius_m);
+  }
+  return path;
+}
+
 /// A disc as large as the robot, with a line from its centre to where it is ahead.
 std::string robot_text(const geometry::Pose2& T_map_robot, double radius_m, double nose_width_m) {
   const std::string nose =
@@ -121,6 +133,12 @@ void write_map_svg(const std::filesystem::path& path,
   if (style.shows_features) {
     text += svg_stroked(
         "fitted", kFittedColour, sheet.metres(kFittedMm), features_path(*snapshot.features));
+  }
+  if (!style.landmarks.empty()) {
+    text += svg_stroked("landmarks",
+                        kLandmarkColour,
+                        sheet.metres(kLandmarkMm),
+                        landmarks_path(style.landmarks, sheet.metres(kLandmarkMm)));
   }
   text += trail_text(snapshot, sheet);
   text += robot_text(snapshot.latest.T_map_robot, style.robot_radius_m, sheet.metres(kNoseMm));

@@ -68,6 +68,12 @@ void write_pose_graph_g2o(const std::filesystem::path& path, const slam::FactorG
         {edge.from, nodes + edge.landmark},
         std::array{edge.place_m.x(), edge.place_m.y(), known(0, 0), known(0, 1), known(1, 1)});
   }
+  for (const geometry::Segment& wall : graph.walls) {
+    append_line(text,
+                "# WALL",
+                {},
+                std::array{wall.from_m.x(), wall.from_m.y(), wall.to_m.x(), wall.to_m.y()});
+  }
   files::write_text_file(path, text);
 }
 

@@ -33,6 +33,7 @@ struct RunDrawing {
   double robot_radius_m = 0.09;
   /// What the pictures' title begins with; empty: room and robot of the summary.
   std::string name{};
+  MapLandmarks landmarks{};
 };
 
 /// What the pictures of a run directory are drawn of beside the snapshot.

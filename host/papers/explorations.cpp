@@ -6,6 +6,9 @@
 #include <optional>
 #include <sstream>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "host/console/exit_code.hpp"
 #include "host/console/interrupt.hpp"
 #include "host/files/atomic_file.hpp"
@@ -34,9 +37,9 @@ Job start(const Explorations& explorations, const fs::path& folder, std::size_t 
   job.folder = folder / explorations.name / seed;
   job.log = folder / explorations.name / (seed + ".log");
   fs::create_directories(job.folder);
-  std::vector<std::string> command{
-      session::program_folder() / "echomap", "demo", "--headless", "--force", "--seed", seed};
-  command.insert(command.end(), {"--out", job.folder});
+  std::vector<std::string> command{session::program_folder() / "echomap"};
+  command.insert(command.end(), explorations.command.begin(), explorations.command.end());
+  command.insert(command.end(), {"--headless", "--force", "--seed", seed, "--out", job.folder});
   command.insert(command.end(), explorations.arguments.begin(), explorations.arguments.end());
   job.process = std::make_unique<session::ChildProcess>(command, job.log);
   return job;
@@ -52,13 +55,15 @@ std::string last_line(const fs::path& log) {
   return last;
 }
 
-ExplorationRun result_of(const Job& job, int status) {
+ExplorationRun result_of(const Explorations& explorations, const Job& job, int status) {
   using console::ExitCode;
   if (status != static_cast<int>(ExitCode::kOk) &&
       status != static_cast<int>(ExitCode::kUnfinished)) {
-    throw console::CommandError(
-        ExitCode::kRuntimeError,
-        "echomap demo has failed: " + last_line(job.log) + "\n  next: see " + job.log.string());
+    throw console::CommandError(ExitCode::kRuntimeError,
+                                fmt::format("echomap {} has failed: {}\n  next: see {}",
+                                            fmt::join(explorations.command, " "),
+                                            last_line(job.log),
+                                            job.log.string()));
   }
   const std::string text = files::read_text_file(job.folder / "summary.json");
   return {job.folder, nlohmann::json::parse(text)};
@@ -82,7 +87,7 @@ std::vector<ExplorationRun> run_explorations(const Explorations& explorations,
     }
     for (auto job = jobs.begin(); job != jobs.end();) {
       if (const auto status = job->process->wait_for(kLookAgain)) {
-        runs[job->index] = result_of(*job, *status);
+        runs[job->index] = result_of(explorations, *job, *status);
         job = jobs.erase(job);
         progress(++ended);
       } else {

@@ -11,12 +11,13 @@
 
 namespace echomap::papers {
 
-/// Runs of `echomap demo` with the same arguments and other seeds.
+/// Runs of an echomap command that simulates robots, with the same arguments and other seeds.
 struct Explorations {
   std::string name;                    ///< Of the folder of the runs.
-  std::vector<std::string> arguments;  ///< Of `echomap demo`, but for seed and run directory.
+  std::vector<std::string> arguments;  ///< Of the command, but for seed and run directory.
   std::uint32_t first_seed = 1;
   std::size_t runs = 20;
+  std::vector<std::string> command{"demo"};  ///< Its words, as in {"fleet", "start"}.
 };
 
 /// One of them that has ended.
@@ -29,7 +30,7 @@ struct ExplorationRun {
 using Progress = std::function<void(std::size_t ended)>;
 
 /// Drives the runs below `folder`, two at a time, and returns them in the order of their seeds. A
-/// run that ends without what its strategy wants (exit code 8) counts like any other. Throws
+/// run that ends without what it looks for (exit code 8) counts like any other. Throws
 /// console::CommandError with the last line of its log where one fails, and kInterrupted where this
 /// program is.
 std::vector<ExplorationRun> run_explorations(const Explorations& explorations,

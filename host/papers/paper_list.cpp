@@ -9,6 +9,7 @@
 #include "host/papers/paper_001.hpp"
 #include "host/papers/paper_002.hpp"
 #include "host/papers/paper_003.hpp"
+#include "host/papers/paper_004.hpp"
 
 namespace echomap::papers {
 namespace {
@@ -16,8 +17,11 @@ namespace {
 using Repeat = std::function<paper_report::PaperReport(const PaperSettings&)>;
 
 const std::map<std::string, Repeat>& papers() {
-  static const std::map<std::string, Repeat> by_number{
-      {"000", paper_000}, {"001", paper_001}, {"002", paper_002}, {"003", paper_003}};
+  static const std::map<std::string, Repeat> by_number{{"000", paper_000},
+                                                       {"001", paper_001},
+                                                       {"002", paper_002},
+                                                       {"003", paper_003},
+                                                       {"004", paper_004}};
   return by_number;
 }
 

@@ -10,6 +10,9 @@
 
 namespace echomap::papers {
 
+/// A world that comes with echomap. Throws files::ConfigError.
+world::FloorPlan bundled_room(const std::string& name);
+
 /// A rectangle along the axes of the world frame, metres.
 struct Box {
   Eigen::Vector2d low_m;

@@ -10,6 +10,9 @@ FactorGraph in_frame_a(const geometry::Pose2& T_a_map, FactorGraph graph) {
   for (Eigen::Vector2d& landmark_m : graph.landmarks_m) {
     landmark_m = T_a_map * landmark_m;
   }
+  for (geometry::Segment& wall : graph.walls) {
+    wall = {T_a_map * wall.from_m, T_a_map * wall.to_m};
+  }
   return graph;
 }
 

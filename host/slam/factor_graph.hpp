@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "host/geometry/pose2.hpp"
+#include "host/geometry/segment.hpp"
 #include "host/slam/pose_graph.hpp"
 
 namespace echomap::slam {
@@ -28,6 +29,8 @@ struct FactorGraph {
   std::vector<Eigen::Vector2d> landmarks_m;  ///< In the map.
   std::vector<PoseEdge> edges;
   std::vector<LandmarkEdge> landmark_edges;
+  /// Landmarks that are walls, as far as they have been seen, in the map: no edge leads to them.
+  std::vector<geometry::Segment> walls{};
 };
 
 /// The same graph in another frame.

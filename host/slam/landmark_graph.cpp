@@ -4,6 +4,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
+#include "host/geometry/unit_vector.hpp"
+
 namespace echomap::slam {
 
 namespace {
@@ -37,6 +39,14 @@ void add_landmark(const Eigen::Vector2d& place_m,
   graph.landmarks_m.push_back(place_m);
 }
 
+/// The part of a wall that has been seen.
+geometry::Segment seen_piece(const Landmark& wall) {
+  const Eigen::Vector2d normal = geometry::unit_vector(wall.value.y());
+  const Eigen::Vector2d foot_m = wall.value.x() * normal;
+  const Eigen::Vector2d along = geometry::perpendicular(normal);
+  return {foot_m + wall.along_from_m * along, foot_m + wall.along_to_m * along};
+}
+
 }  // namespace
 
 FactorGraph landmark_graph(const EkfSlamFilter& filter) {
@@ -50,8 +60,11 @@ FactorGraph landmark_graph(const EkfSlamFilter& filter) {
   }
   add_pose(filter.belief(), graph);
   for (std::size_t i = 0; i < filter.landmarks().size(); ++i) {
-    if (const Landmark& landmark = filter.landmarks()[i]; landmark.kind == LandmarkKind::kPoint) {
+    const Landmark& landmark = filter.landmarks()[i];
+    if (landmark.kind == LandmarkKind::kPoint) {
       add_landmark(landmark.value, filter.landmark_covariance(i), graph);
+    } else {
+      graph.walls.push_back(seen_piece(landmark));
     }
   }
   return graph;

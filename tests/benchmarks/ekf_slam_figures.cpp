@@ -9,7 +9,8 @@
 
 #include "host/evaluation/relation_error.hpp"
 #include "host/geometry/angle.hpp"
-#include "tests/benchmarks/edmonton_slam.hpp"
+#include "host/papers/edmonton.hpp"
+#include "host/papers/laser_log.hpp"
 #include "tests/benchmarks/ekf_slam_runs.hpp"
 #include "tests/benchmarks/ekf_slam_scaling.hpp"
 #include "tests/support/real_data.hpp"
@@ -139,14 +140,14 @@ void add_brenner(bool verbose, std::vector<Figure>& figures) {
   figures.push_back({"brenner_slam_landmark_mm", 1000.0 * score.aligned_landmark_m, "mm", 1, {}});
 }
 
-evaluation::RelationError edmonton_error(const EdmontonLog& log,
+evaluation::RelationError edmonton_error(const papers::EdmontonLog& log,
                                          const slam::LandmarkSlamParams& params) {
   slam::LandmarkSlam method(params);
-  run_edmonton(log, method);
+  papers::run_landmark_slam(log.records, method);
   return evaluation::score_relations(method.trajectory(), log.relations);
 }
 
-void print_edmonton(const EdmontonLog& log) {
+void print_edmonton(const papers::EdmontonLog& log) {
   const auto told = [&](const char* who, const slam::LandmarkSlamParams& params) {
     const auto error = edmonton_error(log, params);
     fmt::print("edmonton, {}: {:.3f} m, {:.2f} deg\n",
@@ -170,13 +171,14 @@ void print_edmonton(const EdmontonLog& log) {
 }
 
 void add_edmonton(bool verbose, std::vector<Figure>& figures) {
-  const auto log = read_edmonton();
-  if (!log) {
+  const auto log = papers::read_edmonton(tests::real_data(""));
+  if (!log || log->relations.empty()) {
     fmt::print("edmonton: not there, skipped\n");
     return;
   }
   const auto error = edmonton_error(*log, {});
-  const auto odometry = evaluation::score_relations(paper_odometry(*log), log->relations);
+  const auto odometry =
+      evaluation::score_relations(papers::paper_odometry(log->records), log->relations);
   if (verbose) {
     print_edmonton(*log);
   }

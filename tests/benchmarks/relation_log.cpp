@@ -5,14 +5,11 @@
 #include <memory>
 #include <variant>
 
-#include "host/datasets/line_reader.hpp"
 #include "host/datasets/open_log.hpp"
-#include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/sensors/range_scan.hpp"
 #include "tests/support/played_log.hpp"
 #include "tests/support/real_data.hpp"
-#include "tests/support/scratch_folder.hpp"
 
 namespace echomap::bench {
 namespace {
@@ -20,17 +17,6 @@ namespace {
 constexpr double kConeReachM = 4.0;
 constexpr double kConeNoiseM = 0.01;
 const double beam_width_rad = geometry::radians(15.0);
-
-std::vector<evaluation::PoseRelation> read_packed_relations(const std::filesystem::path& packed) {
-  std::string text;
-  datasets::LineReader lines(packed);
-  while (const auto line = lines.next()) {
-    text.append(*line).append("\n");
-  }
-  const tests::ScratchFolder folder;
-  files::write_text_file(folder / "relations", text);
-  return evaluation::read_relations(folder / "relations");
-}
 
 /// The number of the beam in the middle of the `i`th of `count` even shares.
 std::size_t middle_beam(const sensors::RangeScan& scan, std::size_t i, std::size_t count) {
@@ -72,7 +58,7 @@ std::optional<RelationLog> read_relation_log(const std::string& name) {
   while (auto record = reader->next()) {
     log.records.push_back(std::move(*record));
   }
-  log.relations = read_packed_relations(folder / (name + ".assoc.gz"));
+  log.relations = evaluation::read_relations(folder / (name + ".assoc.gz"));
   return log;
 }
 

@@ -181,7 +181,8 @@ TEST_F(ExportReaders, MrptPassesOverTheLandmarksOfAPoseGraph) {
                        {{{}, {1.0, 0.0, 0.5}},
                         {{3.0, 4.0}},
                         {{0, 1, {1.0, 0.0, 0.5}, Eigen::Matrix3d::Identity(), false}},
-                        {{1, 0, {6.0, 7.0}, Eigen::Matrix2d::Identity()}}});
+                        {{1, 0, {6.0, 7.0}, Eigen::Matrix2d::Identity()}},
+                        {{{0.0, 1.0}, {2.0, 1.0}}}});
   const std::string said = output_of("graph-slam --2d --info -i " + path("pose_graph.g2o"));
   EXPECT_EQ(number_after(said, "Edge count +: "), 1.0);
   EXPECT_EQ(number_after(said, "Nodes count \\(in VERTEX2/3 entries\\) : "), 2.0);

@@ -13,6 +13,7 @@
 #include "host/exports/number_table.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
+#include "tests/support/log_files.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/thrown_text.hpp"
@@ -51,7 +52,7 @@ RelationError score_public_log(const std::string& log,
                                const std::string& poses,
                                std::size_t columns,
                                const tests::ScratchFolder& folder) {
-  const auto relations = unpacked(tests::real_data("slam_relations/" + log + ".assoc.gz"), folder);
+  const auto relations = tests::real_data("slam_relations/" + log + ".assoc.gz");
   const auto trajectory = unpacked(tests::real_data("slam_relations/" + poses), folder);
   return score_relations(read_poses(trajectory, columns), read_relations(relations));
 }
@@ -109,6 +110,16 @@ TEST(RelationError, OfFreiburgsCorrectedPosesIsTheKnownOne) {
 TEST(RelationError, NeedsRelationsBetweenRecordsThatAreThere) {
   EXPECT_THROW(score_relations({{0, 0, 0}}, {}), std::invalid_argument);
   EXPECT_THROW(score_relations({{0, 0, 0}}, {{0, 1, {}}}), std::invalid_argument);
+}
+
+TEST(RelationFile, MayBePacked) {
+  const tests::ScratchFolder folder;
+  tests::write_gz(folder / "a.assoc.gz", "# from to dx dy dtheta\n3 7 0.5 -0.25 0.125\n");
+  const auto relations = read_relations(folder / "a.assoc.gz");
+  ASSERT_EQ(relations.size(), 1U);
+  EXPECT_EQ(relations[0].from, 3U);
+  EXPECT_EQ(relations[0].to, 7U);
+  EXPECT_EQ(relations[0].T_from_to.y_m(), -0.25);
 }
 
 TEST(RelationFile, SaysWhichLineIsWrong) {

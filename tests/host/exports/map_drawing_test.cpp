@@ -51,6 +51,17 @@ TEST(MapDrawing, DrawsTheOutlineBelowTheFittedWalls) {
   EXPECT_EQ(colour_at(picture, view, {1.53, 1.025}), kFittedColour);
 }
 
+TEST(MapDrawing, DrawsLandmarksAsLinesAndDots) {
+  const auto snapshot = room_with_a_fitted_wall();
+  const MapView view(mapping::rasterize(*snapshot.grid));
+  MapStyle style;
+  style.landmarks = {{{1.5, 0.5}}, {{{0.2, 0.22}, {1.8, 0.22}}}};
+  const Picture picture = draw_map(view, snapshot, std::nullopt, style);
+  EXPECT_EQ(colour_at(picture, view, {1.5, 0.5}), kLandmarkColour);
+  EXPECT_EQ(colour_at(picture, view, {1.03, 0.22}), kLandmarkColour);
+  EXPECT_EQ(colour_at(picture, view, {1.93, 0.22}), kFloorColour);
+}
+
 TEST(MapDrawing, DrawsTheRobotInItsSize) {
   const auto snapshot = room_with_a_fitted_wall();
   const MapView view(mapping::rasterize(*snapshot.grid));

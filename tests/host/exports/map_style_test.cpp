@@ -52,6 +52,13 @@ TEST(LegendOf, NamesFittedWallsAndCirclesIfTheyAreShown) {
   EXPECT_EQ(legend_of(wall, false, style).size(), 4U);
 }
 
+TEST(LegendOf, NamesLandmarksIfThereAreAny) {
+  MapStyle style;
+  style.landmarks.walls = {{{0.0, 0.0}, {1.0, 0.0}}};
+  EXPECT_EQ(texts_of(legend_of(tests::snapshot_of(mapping::OccupancyGrid()), false, style)),
+            (std::vector<std::string>{"floor", "occupied", "unknown", "landmark", "robot"}));
+}
+
 TEST(LegendOf, NamesTheOutlineIfThereIsOne) {
   EXPECT_EQ(texts_of(legend_of(tests::snapshot_of(mapping::OccupancyGrid()), true, {})),
             (std::vector<std::string>{"floor", "occupied", "unknown", "outline", "robot"}));

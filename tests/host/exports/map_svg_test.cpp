@@ -53,6 +53,15 @@ class MapSvgTest : public ::testing::Test {
   tests::ScratchFolder folder;
 };
 
+TEST_F(MapSvgTest, HoldsLandmarksIfThereAreAny) {
+  const auto snapshot = tests::snapshot_of(hall_ahead());
+  EXPECT_EQ(path_of(written(snapshot), "landmarks"), "none");
+  MapStyle style;
+  style.landmarks.walls = {{{0.0, 1.5}, {0.5, 1.5}}};
+  write_map_svg(folder / "map.svg", snapshot, std::nullopt, style);
+  EXPECT_EQ(path_of(files::read_text_file(folder / "map.svg"), "landmarks"), "M0 1.5L0.5 1.5");
+}
+
 TEST_F(MapSvgTest, HoldsEveryCellInMetres) {
   const std::string svg = written(tests::snapshot_of(hall_ahead()));
   EXPECT_NEAR(area_m2(path_of(svg, "floor")), 2.0, 1e-9);

@@ -124,14 +124,16 @@ TEST(PoseGraphG2o, HasTheFieldsOfTheFormat) {
                        {{{}, {1.0, 2.0, 0.5}},
                         {{3.0, 4.0}},
                         {{0, 1, {1.5, 2.5, 0.25}, information, false}},
-                        {{1, 0, {6.0, 7.0}, of_place}}});
+                        {{1, 0, {6.0, 7.0}, of_place}},
+                        {{{1.0, 2.0}, {3.0, 4.5}}}});
   EXPECT_EQ(files::read_text_file(folder / "a.g2o"),
             "VERTEX_SE2 0 0 0 0\n"
             "VERTEX_SE2 1 1 2 0.5\n"
             "VERTEX_XY 2 3 4\n"
             "FIX 0\n"
             "EDGE_SE2 0 1 1.5 2.5 0.25 11 12 13 22 23 33\n"
-            "EDGE_SE2_XY 1 2 6 7 44 45 55\n");
+            "EDGE_SE2_XY 1 2 6 7 44 45 55\n"
+            "# WALL 1 2 3 4.5\n");
 }
 
 TEST(PoseGraphG2o, NumbersOfManyPosesAreNotRounded) {

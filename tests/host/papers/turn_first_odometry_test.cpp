@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "tests/benchmarks/turn_first_odometry.hpp"
+#include "host/papers/turn_first_odometry.hpp"
 
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-namespace echomap::bench {
+namespace echomap::papers {
 namespace {
 
 using geometry::Pose2;
@@ -30,4 +30,4 @@ TEST(TurnFirstOdometry, PlacesABeamsEndByPoseAndBearing) {
 }
 
 }  // namespace
-}  // namespace echomap::bench
+}  // namespace echomap::papers

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "tests/benchmarks/turn_first_odometry.hpp"
+#include "host/papers/turn_first_odometry.hpp"
 
 #include "host/geometry/unit_vector.hpp"
 
-namespace echomap::bench {
+namespace echomap::papers {
 
 geometry::Pose2 turned_then_driven(const geometry::Pose2& T_map_last,
                                    const geometry::Pose2& T_last_now) {
@@ -21,4 +21,4 @@ Eigen::Vector2d scanned_point_m(const geometry::Pose2& T_map_robot,
   return T_map_robot.position_m() + range_m * geometry::unit_vector(direction_rad);  // (5), (6)
 }
 
-}  // namespace echomap::bench
+}  // namespace echomap::papers

@@ -5,7 +5,7 @@
 
 #include "host/geometry/pose2.hpp"
 
-namespace echomap::bench {
+namespace echomap::papers {
 
 /// The next pose by an increment of odometry, as Akzhalova and Polichshuk have it (equations 1 to
 /// 3): the robot turns first, then drives the length of the increment straight ahead. An increment
@@ -18,4 +18,4 @@ Eigen::Vector2d scanned_point_m(const geometry::Pose2& T_map_robot,
                                 double range_m,
                                 double bearing_rad);
 
-}  // namespace echomap::bench
+}  // namespace echomap::papers
