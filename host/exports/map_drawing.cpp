@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kOutlineWidth = 5.0;
 constexpr double kFittedWidth = 2.0;
-constexpr double kLandmarkWidth = 2.0;
-constexpr double kLandmarkRadius = 3.0;
+constexpr double kLandmarkWidth = 3.0;
+constexpr double kLandmarkRadius = 4.0;
 constexpr double kTrailWidth = 2.0;
 constexpr double kMinRobotRadius = 4.0;
 constexpr double kEchoShare = 0.45;

@@ -24,9 +24,6 @@ struct Box {
   }
 };
 
-/// A room of hil_mock/worlds. Throws files::ConfigError.
-world::FloorPlan bundled_room(const std::string& name);
-
 /// The smallest box around a room.
 Box box_around(const world::FloorPlan& room);
 
