@@ -89,19 +89,19 @@ void PlacedPanel::draw(const exports::MapView& view, exports::Picture& picture) 
   const auto draw_segments = [&](const std::vector<Segment>& segments, exports::Colour colour) {
     for (const Segment& segment : segments) {
       picture.draw_line(
-          view.place(place_m(segment.from_m)), view.place(place_m(segment.to_m)), 1.5, colour);
+          view.place(place_m(segment.from_m)), view.place(place_m(segment.to_m)), 2.5, colour);
     }
   };
   draw_segments(panel_->true_walls, exports::kWallColour);
   for (std::size_t i = 1; i < panel_->path.size(); ++i) {
     picture.draw_line(view.place(place_m(panel_->path[i - 1].position_m())),
                       view.place(place_m(panel_->path[i].position_m())),
-                      1.0,
+                      2.0,
                       exports::kGreen);
   }
   draw_segments(panel_->walls, exports::kVermilion);
   for (const Eigen::Vector2d& point_m : panel_->points_m) {
-    picture.fill_disc(view.place(place_m(point_m)), 2.5, exports::kBlue);
+    picture.fill_disc(view.place(place_m(point_m)), 3.5, exports::kBlue);
   }
 }
 
