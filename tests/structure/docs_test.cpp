@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <stdexcept>
 #include <string>
@@ -9,10 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/structure/command_blocks.hpp"
+#include "tests/structure/desk.hpp"
 #include "tests/structure/shell.hpp"
 #include "tests/structure/source_tree.hpp"
 #include "tests/structure/tree_root.hpp"
-#include "tests/support/scratch_folder.hpp"
 
 // A document promises: a ```sh block after the line <!-- test --> runs as it stands, from the root
 // of the tree, and every relative link leads to a file.
@@ -23,30 +23,6 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 const std::string mark = "<!-- test -->";
-
-struct CommandBlock {
-  std::size_t line = 0;  ///< Of its mark, from 1.
-  std::string script;
-};
-
-/// The marked blocks of a document; throws where a mark stands before anything else.
-std::vector<CommandBlock> command_blocks_of(const std::vector<std::string>& lines) {
-  std::vector<CommandBlock> blocks;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (lines[i] != mark) {
-      continue;
-    }
-    CommandBlock block{i + 1, ""};
-    if (++i == lines.size() || lines[i] != "```sh") {
-      throw std::runtime_error("no ```sh after the mark in line " + std::to_string(block.line));
-    }
-    for (++i; i < lines.size() && lines[i] != "```"; ++i) {
-      block.script += lines[i] + "\n";
-    }
-    blocks.push_back(block);
-  }
-  return blocks;
-}
 
 std::vector<fs::path> documents() {
   std::vector<fs::path> paths;
@@ -60,37 +36,6 @@ std::vector<fs::path> documents() {
   }
   return paths;
 }
-
-/// A folder that looks like the root of a clean tree after `./run build`, whatever runs its user
-/// has left there, for commands to leave their files in. Its `run demo` skips the building, which
-/// the test's own build has done.
-class Desk {
- public:
-  Desk() {
-    fs::create_directories(folder_ / "build");
-    for (const std::string name : {"CMakeLists.txt",
-                                   "CMakePresets.json",
-                                   "docs",
-                                   "firmware",
-                                   "hil_mock",
-                                   "host",
-                                   "packages.txt",
-                                   "protocol",
-                                   "tests"}) {
-      fs::create_symlink(tree_root / name, folder_ / name);
-    }
-    fs::create_directory_symlink(ECHOMAP_BINARY_DIR, folder_ / "build" / "release");
-    std::ofstream(folder_ / "run")
-        << "#!/bin/sh\n"
-        << "[ \"$1\" != demo ] || exec build/release/bin/echomap \"$@\"\n"
-        << "exec " << shell_quoted((tree_root / "run").string()) << " \"$@\"\n";
-    fs::permissions(folder_ / "run", fs::perms::owner_all);
-  }
-  const fs::path& folder() const { return folder_.path(); }
-
- private:
-  const tests::ScratchFolder folder_;
-};
 
 TEST(Documents, EveryMarkedCommandRuns) {
   std::size_t blocks = 0;
