@@ -26,6 +26,7 @@ struct RunOptions {
   strategies::StrategyOptions strategy;
   /// A way of slam::slam_methods() that a robot with a sonar is placed by, or "none": odometry.
   std::string slam = "multiscan";
+  bool slam_is_named = false;  ///< It is asked for, and not as by default.
   std::uint32_t seed = 1;
   std::filesystem::path out;   ///< Empty: a stamped folder below the user's data folder.
   std::filesystem::path json;  ///< Empty: none; "-": stdout.

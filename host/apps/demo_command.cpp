@@ -16,7 +16,9 @@
 #include "host/apps/kidnap_report.hpp"
 #include "host/apps/live_run.hpp"
 #include "host/apps/report.hpp"
+#include "host/apps/room_fit.hpp"
 #include "host/apps/run_recording.hpp"
+#include "host/apps/run_words.hpp"
 #include "host/boards/boards.hpp"
 #include "host/console/print.hpp"
 #include "host/console/shell_line.hpp"
@@ -35,6 +37,9 @@ using session::RobotProfile;
 
 /// Times real time: fast enough not to bore, slow enough to follow.
 constexpr double kWatchedSpeed = 8.0;
+
+/// A room that every robot without a sonar can walk around.
+constexpr const char* kContactRoom = "create_l";
 
 /// The TOML file of what is true of the robot: the one named, or else the bundled one of the robot
 /// that the profile describes.
@@ -73,11 +78,13 @@ void refuse_unfit_driver(const std::string& name, const RobotProfile& profile) {
   }
 }
 
-/// The demo that is asked for, on another board where one is named, as a command: what decides
-/// which robot drives where, and what differs from the board's own.
-console::CommandWords demo_words(const DemoOptions& options, const std::string& board) {
+/// The demo that is asked for, in another room and on another board where these are named, as a
+/// command: what decides which robot drives where and how, and what differs from the board's own.
+console::CommandWords demo_words(const DemoOptions& options,
+                                 const std::string& world,
+                                 const std::string& board) {
   const session::SimulatedRobotOptions& robot = options.robot;
-  console::CommandWords words{"echomap", "demo", "--world", robot.world};
+  console::CommandWords words{"echomap", "demo", "--world", world};
   const auto say = [&words](const char* option, const std::string& value) {
     words.insert(words.end(), {option, value});
   };
@@ -93,7 +100,28 @@ console::CommandWords demo_words(const DemoOptions& options, const std::string& 
   if (!robot.driver.empty()) {
     say("--driver", robot.driver);
   }
+  if (!robot.fixes.empty()) {
+    say("--fixes", robot.fixes);
+  }
+  if (!robot.camera_params.empty()) {
+    say("--camera-params", robot.camera_params);
+  }
+  const console::CommandWords strategy = strategy_words(options.run);
+  words.insert(words.end(), strategy.begin(), strategy.end());
   return words;
+}
+
+std::string demo_line(const DemoOptions& options) {
+  return console::shell_line(demo_words(options, options.robot.world, options.robot.board));
+}
+
+/// The same demo by a strategy that looks for floor until there is none, where the robot can.
+std::string demo_by_frontier(DemoOptions options) {
+  const strategies::StrategyOptions usual;
+  options.run.strategy = usual;
+  console::CommandWords words = demo_words(options, options.robot.world, options.robot.board);
+  words.insert(words.end(), {"--strategy", usual.name});
+  return console::shell_line(words);
 }
 
 /// Ends the command where the body is wired for other boards, before anything starts. One without
@@ -115,10 +143,11 @@ void refuse_unwired_body(const DemoOptions& options,
       ExitCode::kConfigInvalid,
       others.empty()
           ? fmt::format("{}\n  next: wire it in {}: [wiring.{}]", what, body.string(), board)
-          : fmt::format("{}, but for {}\n  next: {}",
-                        what,
-                        fmt::join(others, ", "),
-                        console::shell_line(demo_words(options, others.front()))));
+          : fmt::format(
+                "{}, but for {}\n  next: {}",
+                what,
+                fmt::join(others, ", "),
+                console::shell_line(demo_words(options, options.robot.world, others.front()))));
 }
 
 /// The simulated robot has the driver that its profile names.
@@ -159,11 +188,11 @@ std::string add_scores(RobotContext& robot,
   }
 }
 
-/// What there is to do with the map of a simulated robot: the next one begins in the same room.
-NextCommands next_commands(const DemoOptions& options, const std::filesystem::path& out) {
-  const RunOptions usual;
-  const bool is_usual = options.run.strategy.stops == usual.strategy.stops &&
-                        options.run.strategy.name == usual.strategy.name;
+/// What there is to do with the map of a simulated robot: the next one begins in the same room. A
+/// run without a limit of stops would end again as it has, unless another strategy makes it.
+NextCommands next_commands(const DemoOptions& options,
+                           const RobotProfile& profile,
+                           const std::filesystem::path& out) {
   const std::string score = console::shell_line({"echomap",
                                                  "eval",
                                                  out.string(),
@@ -171,9 +200,18 @@ NextCommands next_commands(const DemoOptions& options, const std::filesystem::pa
                                                  (out / "truth").string(),
                                                  "--picture",
                                                  (out / "score.png").string()});
-  const std::string again = console::shell_line(demo_words(options, options.robot.board));
-  const std::string find = console::shell_line({"echomap", "localize", "--map", out.string()});
-  return {score, is_usual ? score : again, find, again};
+  console::CommandWords find{"echomap", "localize", "--map", out.string()};
+  const console::CommandWords robot = robot_words(options.run);
+  find.insert(find.end(), robot.begin(), robot.end());
+  const std::string again = demo_line(options);
+  const strategies::StrategyOptions& strategy = options.run.strategy;
+  const bool has_another = profile.has_sonar && strategy.name != strategies::StrategyOptions().name;
+  return {score,
+          strategy.stops ? again
+          : has_another  ? demo_by_frontier(options)
+                         : score,
+          console::shell_line(find),
+          again};
 }
 
 /// How a drive has ended, and what became of a robot that was carried off behind it.
@@ -187,7 +225,7 @@ DemoDrive drive(RobotContext& robot,
                 const DemoOptions& options,
                 const std::filesystem::path& out,
                 exports::RunSummary& summary) {
-  const NextCommands next = next_commands(options, out);
+  const NextCommands next = next_commands(options, robot.profile(), out);
   DemoDrive drive{explore_and_save(robot,
                                    {options.run.strategy,
                                     live,
@@ -198,7 +236,11 @@ DemoDrive drive(RobotContext& robot,
                                     next},
                                    summary),
                   std::nullopt};
-  if (!drive.ending.finished() || options.no_kidnap || !robot.profile().has_sonar) {
+  if (options.no_kidnap || !robot.profile().has_sonar) {
+    return drive;
+  }
+  if (!drive.ending.finished()) {
+    console::print("not carried off: only a robot with a finished map looks for its place in it");
     return drive;
   }
   robot.end_maps();
@@ -213,9 +255,9 @@ DemoDrive drive(RobotContext& robot,
 /// Ends the robot and writes the report; answers how the demo has ended.
 RunEnding report_on(const DemoDrive& drive,
                     RobotContext& robot,
+                    const DemoOptions& options,
                     const std::filesystem::path& truth,
                     const std::filesystem::path& out,
-                    const std::filesystem::path& json,
                     exports::RunSummary& summary) {
   RunEnding ending = drive.ending;
   auto scores = nlohmann::ordered_json::object();
@@ -228,6 +270,10 @@ RunEnding report_on(const DemoDrive& drive,
       ending.why += "; carried off, it did not find its place in it again";
     }
   }
+  if (!summary.coverage && unscored.empty()) {
+    const auto larger = console::shell_line(demo_words(options, kContactRoom, options.robot.board));
+    ending = with_narrow_room(ending, evaluation::read_truth(truth), robot.profile(), larger);
+  }
   if (ending.finished() && !unscored.empty()) {
     ending.code = ExitCode::kRuntimeError;
     ending.why = "the map has no score: " + unscored;
@@ -237,7 +283,7 @@ RunEnding report_on(const DemoDrive& drive,
   report.update(scores);
   write_report(out / "summary.json", report);
   end_recording(robot, report, out);
-  write_report(json, report);
+  write_report(options.run.json, report);
   return ending;
 }
 
@@ -249,6 +295,7 @@ ExitCode run_demo(const DemoOptions& options) {
   refuse_unfit_driver(options.robot.board, profile);
   const auto body = body_of(options.robot.body, profile);
   refuse_unwired_body(options, profile, body);
+  validate_slam(run, profile);
   const auto out = run_folder(run.out);
   prepare_outputs(out, run.json, run.force);
   const session::Seed seed(run.seed);
@@ -271,7 +318,7 @@ ExitCode run_demo(const DemoOptions& options) {
   const DemoDrive driven = drive(robot, live, options, out, summary);
   console::print("map: " + (out / "map.png").string());
   print_what_ran(summary);
-  const RunEnding ending = report_on(driven, robot, simulated.truth(), out, run.json, summary);
+  const RunEnding ending = report_on(driven, robot, options, simulated.truth(), out, summary);
   print_ending(ending);
   live.end(ending);
   return ending.code;

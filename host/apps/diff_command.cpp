@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/map_file.hpp"
 #include "host/apps/report.hpp"
 #include "host/console/print.hpp"
 #include "host/evaluation/difference_picture.hpp"
@@ -63,8 +64,8 @@ void print(const evaluation::MapDifference& difference) {
 }  // namespace
 
 ExitCode run_diff(const DiffOptions& options) {
-  const auto before = exports::read_pgm_yaml(options.before / "map.yaml");
-  const auto after = exports::read_pgm_yaml(options.after / "map.yaml");
+  const auto before = exports::read_pgm_yaml(map_file_of(options.before));
+  const auto after = exports::read_pgm_yaml(map_file_of(options.after));
   const auto difference = evaluation::find_difference(before, after);
   if (!difference) {
     throw CommandError(ExitCode::kRuntimeError,

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
 #include "host/apps/commands.hpp"
+#include "host/apps/map_file.hpp"
 #include "host/apps/report.hpp"
+#include "host/apps/truth_match.hpp"
 #include "host/console/print.hpp"
 #include "host/evaluation/relation_error.hpp"
 #include "host/evaluation/run_score.hpp"
@@ -22,7 +25,7 @@ namespace {
 void draw_on_truth(const EvalOptions& options) {
   const auto truth = evaluation::read_truth(options.truth);
   evaluation::write_truth_picture(options.picture,
-                                  exports::read_pgm_yaml(options.run / "map.yaml"),
+                                  exports::read_pgm_yaml(map_file_of(options.run)),
                                   truth.trajectory.front().T_world_robot,
                                   truth.map,
                                   {options.run.filename().string(), options.align});
@@ -45,11 +48,14 @@ evaluation::RelationError score_relations_of(const EvalOptions& options) {
 
 ExitCode run_eval(const EvalOptions& options) {
   nlohmann::ordered_json report;
+  RoomMatch match = RoomMatch::kUnknown;
+  std::optional<evaluation::RunScore> score;
   if (!options.truth.empty()) {
-    const auto score =
-        evaluation::score_run(options.run, options.truth, radius_of_robot(options.run));
-    print_score(score);
-    report = to_json(score);
+    map_file_of(options.run);
+    match = match_rooms(options.run, options.truth);
+    score = evaluation::score_run(options.run, options.truth, radius_of_robot(options.run));
+    print_score(*score);
+    report = to_json(*score);
   }
   if (!options.picture.empty()) {
     draw_on_truth(options);
@@ -60,6 +66,9 @@ ExitCode run_eval(const EvalOptions& options) {
     report.update(to_json(error));
   }
   write_report(options.json, report);
+  if (score && match == RoomMatch::kUnknown) {
+    refuse_misfit(options.run, options.truth, *score);
+  }
   return ExitCode::kOk;
 }
 

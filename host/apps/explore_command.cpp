@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
+#include <initializer_list>
 
 #include <nlohmann/json.hpp>
 
@@ -8,6 +9,7 @@
 #include "host/apps/live_run.hpp"
 #include "host/apps/report.hpp"
 #include "host/apps/run_recording.hpp"
+#include "host/apps/run_words.hpp"
 #include "host/console/print.hpp"
 #include "host/console/shell_line.hpp"
 
@@ -18,24 +20,28 @@ bool is_same_folder(const std::filesystem::path& one, const std::filesystem::pat
   return exists(one) && exists(other) && equivalent(one, other);
 }
 
-/// With the words that name the robot.
+/// With the words that name the robot and, where it explores, the strategy.
 NextCommands next_commands(const ExploreOptions& options, const std::string& out) {
   console::CommandWords robot;
   for (const std::string& port : options.connection.ports) {
     robot.insert(robot.end(), {"--port", port});
   }
-  if (options.run.robot != RunOptions().robot) {
-    robot.insert(robot.end(), {"--robot", options.run.robot});
-  }
-  const auto line = [&](const char* command, const console::CommandWords& more) {
+  const console::CommandWords name = robot_words(options.run);
+  robot.insert(robot.end(), name.begin(), name.end());
+  const auto line = [&](const char* command, std::initializer_list<console::CommandWords> more) {
     console::CommandWords words{"echomap", command};
     words.insert(words.end(), robot.begin(), robot.end());
-    words.insert(words.end(), more.begin(), more.end());
+    for (const console::CommandWords& each : more) {
+      words.insert(words.end(), each.begin(), each.end());
+    }
     return console::shell_line(words);
   };
-  const std::string localize = line("localize", {"--map", out});
-  return {
-      localize, line("explore", {"--resume", out, "--out", out}), localize, line("explore", {})};
+  const console::CommandWords strategy = strategy_words(options.run);
+  const std::string localize = line("localize", {{"--map", out}});
+  return {localize,
+          line("explore", {strategy, {"--resume", out, "--out", out}}),
+          localize,
+          line("explore", {strategy})};
 }
 
 }  // namespace
@@ -43,6 +49,7 @@ NextCommands next_commands(const ExploreOptions& options, const std::string& out
 ExitCode run_explore(const ExploreOptions& options) {
   const RunOptions& run = options.run;
   session::RobotContext robot(profile_for(run.robot, run.strategy), session::Seed(run.seed));
+  validate_slam(run, robot.profile());
   const auto out = run_folder(run.out);
   LiveRun live(options.live, robot, {.command = "explore", .out = out});
   ExploreRun explore{run.strategy, live, out, progress_display(run), run.align, split_bytes(run)};

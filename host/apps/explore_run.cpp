@@ -246,6 +246,14 @@ RobotProfile profile_for(const std::string& robot, const StrategyOptions& strate
   return profile;
 }
 
+void validate_slam(const RunOptions& run, const RobotProfile& profile) {
+  if (run.slam_is_named && run.slam != session::kNoSlam && !profile.has_sonar) {
+    throw CommandError(ExitCode::kUsage,
+                       "--slam " + run.slam + " needs a sonar, and profile '" + profile.name +
+                           "' has none: it is placed by its odometry\n  next: leave out --slam");
+  }
+}
+
 void begin_maps(RobotContext& robot, const std::string& fixes, const std::string& slam) {
   robot.begin_maps(fixes.empty() ? slam : session::kNoSlam);
   robot.follow(tracking::camera_at(fixes, robot.profile(), robot.atlas(), robot.fork()));

@@ -41,6 +41,9 @@ struct ExploreRun {
 session::RobotProfile profile_for(const std::string& robot,
                                   const strategies::StrategyOptions& strategy);
 
+/// Throws CommandError where a SLAM method is asked for that the robot has no ranges for.
+void validate_slam(const RunOptions& run, const session::RobotProfile& profile);
+
 /// Begins the maps of an exploration: the robot is placed by the camera whose fixes come to that
 /// address or, where it is empty, by the SLAM method of that name. Throws CommandError 1 where the
 /// camera cannot be listened to.

@@ -204,8 +204,11 @@ void add_replay(CLI::App& app, CommandAction& action) {
       ->check(slam::renamed_slam_method)
       ->check(CLI::IsMember(slam_names()))
       ->excludes(poses);
-  command->add_option("--resolution", options->resolution_m, "Edge of a cell in metres")
-      ->check(CLI::Range(0.01, 1.0))
+  command
+      ->add_option("--resolution",
+                   options->resolution_m,
+                   "Edge of a cell of grid and polygon in metres; below 0.01 it takes long")
+      ->check(CLI::Range(0.001, 1.0))
       ->capture_default_str();
   add_played_part(*command, *options);
   add_align_option(*command, options->align);

@@ -30,6 +30,8 @@ namespace {
 
 /// A picture of more cells is one of a damaged pose, and would fill the memory.
 constexpr double kMaxCells = 5e7;
+/// Of smaller cells a log would fill the memory before its end.
+constexpr double kMinUsualCellM = 0.01;
 
 using Clock = std::chrono::steady_clock;
 
@@ -45,6 +47,21 @@ void validate_fit(const datasets::LogRecord& record, const slam::NamedSlam& meth
                        fmt::format("--slam {} is for lasers, but the log is of sensors with wide "
                                    "beams\n  next: --slam multiscan",
                                    method.name));
+  }
+}
+
+void refuse_huge_map(const mapping::OccupancyGrid& grid) {
+  const mapping::CellBounds& bounds = grid.bounds();
+  const double columns = bounds.columns();
+  const double rows = bounds.rows();
+  if (!bounds.empty() && columns * rows > kMaxCells) {
+    throw CommandError(ExitCode::kRuntimeError,
+                       fmt::format("the map would be {:.0f} x {:.0f} m, too large for cells of {} "
+                                   "m: a damaged pose?\n  next: --resolution {}",
+                                   columns * grid.resolution_m(),
+                                   rows * grid.resolution_m(),
+                                   grid.resolution_m(),
+                                   2.0 * grid.resolution_m()));
   }
 }
 
@@ -73,6 +90,9 @@ class PlayedLog {
         }
         player_.play(*record);
         if (counts().records % kRecordsPerDrawing == 0) {
+          if (options_.resolution_m < kMinUsualCellM) {
+            refuse_huge_map(*pipeline_.snapshot().grid);
+          }
           progress.show(log.progress(), fmt::format("{} scans", counts().scans));
         }
       }
@@ -136,21 +156,6 @@ std::string PlayedLog::unusable() const {
            (counts().given_poses > 0 ? "\n  next: --poses given" : ", and no other poses");
   }
   return "";
-}
-
-void refuse_huge_map(const mapping::OccupancyGrid& grid) {
-  const mapping::CellBounds& bounds = grid.bounds();
-  const double columns = bounds.columns();
-  const double rows = bounds.rows();
-  if (!bounds.empty() && columns * rows > kMaxCells) {
-    throw CommandError(ExitCode::kRuntimeError,
-                       fmt::format("the map would be {:.0f} x {:.0f} m, too large for cells of {} "
-                                   "m: a damaged pose?\n  next: --resolution {}",
-                                   columns * grid.resolution_m(),
-                                   rows * grid.resolution_m(),
-                                   grid.resolution_m(),
-                                   2.0 * grid.resolution_m()));
-  }
 }
 
 nlohmann::ordered_json replay_json(const ReplayOptions& options,
@@ -243,6 +248,7 @@ ExitCode replay_log(const ReplayOptions& options) {
                                snapshot,
                                summary,
                                {.align = options.align,
+                                .holds_echoes = options.map == "points",
                                 .name = options.log.stem().string(),
                                 .landmarks = {graph.landmarks_m, graph.walls}});
   exports::write_landmarks_csv(out / "landmarks.csv", *snapshot.landmarks);
@@ -262,6 +268,11 @@ ExitCode replay_log(const ReplayOptions& options) {
 }  // namespace
 
 ExitCode run_replay(const ReplayOptions& options) {
+  if (options.map == "points" && options.resolution_m != ReplayOptions().resolution_m) {
+    throw CommandError(ExitCode::kUsage,
+                       "--resolution is the edge of a cell, and a map of points has none\n  next: "
+                       "leave it out, or --map grid");
+  }
   if (plays_recording(options)) {
     return replay_run(options);
   }

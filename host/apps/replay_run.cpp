@@ -17,6 +17,7 @@
 #include "host/apps/run_ending.hpp"
 #include "host/apps/saved_map.hpp"
 #include "host/console/print.hpp"
+#include "host/console/shell_line.hpp"
 #include "host/console/wait_for_enter.hpp"
 #include "host/files/atomic_file.hpp"
 #include "host/geometry/angle.hpp"
@@ -30,6 +31,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
+
+/// A name for the folder of a replay: that of the run, or of the run that a file is in.
+std::string name_beside(const fs::path& log) {
+  const fs::path run = fs::is_directory(log) ? log : fs::absolute(log).parent_path();
+  return (run.has_filename() ? run : run.parent_path()).filename().string() + "_again";
+}
 
 /// Why a recording is not played; empty where it is.
 std::string reason_against(const ReplayOptions& options) {
@@ -45,6 +52,25 @@ std::string reason_against(const ReplayOptions& options) {
     return "--slam " + options.slam + " is for lasers";
   }
   return "";
+}
+
+/// Throws CommandError where the recorded robot has no sonar, and so no echoes for another map.
+void throw_if_without_echoes(const fs::path& log, const fs::path& file) {
+  const recording::SessionReader recording(file);
+  const session::RobotProfile profile = profile_of(recording);
+  if (!profile.has_sonar) {
+    const bool has_infrared = !profile.sensors.infrared.empty();
+    throw console::CommandError(
+        console::ExitCode::kUsage,
+        fmt::format(
+            "{} is a recording of robot '{}', which has no sonar: it holds odometry{} "
+            "contacts{}, and no echoes to make another map of\n  next: {}",
+            log.string(),
+            profile.name,
+            has_infrared ? "," : " and",
+            has_infrared ? " and infra-red readings" : "",
+            console::shell_line({"echomap", "replay", log.string(), "--out", name_beside(log)})));
+  }
 }
 
 /// The run's summary, with what this replay has made of its map.
@@ -162,8 +188,14 @@ std::string slam_of(const ReplayOptions& options,
                     const session::RobotProfile& profile,
                     const recording::SessionReader& recording) {
   std::string slam = recording.fact("session", "slam");
-  if (options.slam.empty() || options.slam == slam || !profile.has_sonar) {
+  if (options.slam.empty() || options.slam == slam) {
     return slam;
+  }
+  if (!profile.has_sonar) {
+    throw console::CommandError(console::ExitCode::kUsage,
+                                "--slam " + options.slam + " needs a sonar, and robot '" +
+                                    profile.name +
+                                    "' of the recording has none\n  next: leave out --slam");
   }
   console::print(fmt::format("the map will differ from the run's: it was placed by '{}'", slam));
   return options.slam;
@@ -260,11 +292,13 @@ void throw_if_damaged_and_own(const Played& played,
 }  // namespace
 
 bool plays_recording(const ReplayOptions& options) {
-  if (!recording_of(options.log)) {
+  const auto file = recording_of(options.log);
+  if (!file) {
     return false;
   }
   const std::string reason = reason_against(options);
   if (!reason.empty()) {
+    throw_if_without_echoes(options.log, *file);
     console::print("the map will differ from the run's: " + reason +
                    "; its echoes are mapped as thin beams");
   }

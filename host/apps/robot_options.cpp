@@ -83,6 +83,7 @@ void add_slam_option(CLI::App& command, RunOptions& run) {
                   "(walls and points) or none (odometry alone)")
       ->check(slam::renamed_slam_method)
       ->check(CLI::IsMember(session::live_slam_names()))
+      ->each([&run](const std::string& /*name*/) { run.slam_is_named = true; })
       ->excludes("--fixes")
       ->capture_default_str();
 }

@@ -67,7 +67,9 @@ void add_search(CLI::App& app, CommandAction& action) {
   command->add_flag("--headless", options->run.headless, "As --view none")->excludes("--view");
   add_align_option(*command, options->run.align);
   add_live_options(*command, options->live, true);
-  command->footer("Example: echomap search --world source_rooms --emulator mock --out found");
+  command->footer(
+      "Example: echomap search --world square_room --source 1.0,1.0,20 --emulator mock --out "
+      "found");
   command->callback([&action, options] { action = [options] { return run_search(*options); }; });
 }
 

@@ -37,7 +37,7 @@ std::vector<Eigen::Vector2d> trail_corners_m(const pipeline::Snapshot& snapshot,
                                              const MapStyle& style) {
   const PictureFrame turned{.turn_rad = style.turn_rad};
   Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& point_m : trail_bounds_m(snapshot, style.robot_radius_m)) {
+  for (const Eigen::Vector2d& point_m : held_points_m(snapshot, style)) {
     box.extend(turned.in_picture_m(point_m));
   }
   return {turned.in_map_m(box.min()), turned.in_map_m(box.max())};

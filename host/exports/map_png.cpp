@@ -15,7 +15,7 @@ void write_map_png(const std::filesystem::path& path,
                      {.legend = legend_of(snapshot, outline.has_value(), style),
                       .title = style.title,
                       .turn_rad = style.turn_rad,
-                      .points_m = trail_bounds_m(snapshot, style.robot_radius_m)});
+                      .points_m = held_points_m(snapshot, style)});
   draw_map(view, snapshot, outline, style).write_png(path, view.texts());
 }
 

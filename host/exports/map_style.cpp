@@ -29,11 +29,11 @@ std::vector<LegendEntry> legend_of(const pipeline::Snapshot& snapshot,
   return legend;
 }
 
-std::vector<Eigen::Vector2d> trail_bounds_m(const pipeline::Snapshot& snapshot,
-                                            double robot_radius_m) {
+std::vector<Eigen::Vector2d> held_points_m(const pipeline::Snapshot& snapshot,
+                                           const MapStyle& style) {
   std::vector<Eigen::Vector2d> points_m;
   // The picture may be turned: a square around the robot that holds it however it is turned.
-  const double reach_m = 1.5 * robot_radius_m;
+  const double reach_m = 1.5 * style.robot_radius_m;
   const auto add = [&](const geometry::Pose2& T_map_robot) {
     for (const double x_m : {-reach_m, reach_m}) {
       for (const double y_m : {-reach_m, reach_m}) {
@@ -45,6 +45,11 @@ std::vector<Eigen::Vector2d> trail_bounds_m(const pipeline::Snapshot& snapshot,
     add(pose.T_map_robot);
   }
   add(snapshot.latest.T_map_robot);
+  if (style.holds_echoes) {
+    for (const mapping::MapPoint& echo : snapshot.points->points()) {
+      points_m.push_back(echo.position_m);
+    }
+  }
   return points_m;
 }
 

@@ -38,6 +38,8 @@ struct MapStyle {
   /// Whether fitted walls and obstacles are drawn.
   bool shows_features = true;
   MapLandmarks landmarks{};
+  /// Whether the picture holds every echo: of a map of points, which has no cells.
+  bool holds_echoes = false;
 };
 
 /// The legend of a snapshot's pictures: what of all this it has.
@@ -45,8 +47,9 @@ std::vector<LegendEntry> legend_of(const pipeline::Snapshot& snapshot,
                                    bool has_outline,
                                    const MapStyle& style);
 
-/// What a picture has to hold beside the cells: the trail and the robot, all around.
-std::vector<Eigen::Vector2d> trail_bounds_m(const pipeline::Snapshot& snapshot,
-                                            double robot_radius_m);
+/// What a picture has to hold beside the cells: the trail and the robot, all around, and the echoes
+/// where the style says so.
+std::vector<Eigen::Vector2d> held_points_m(const pipeline::Snapshot& snapshot,
+                                           const MapStyle& style);
 
 }  // namespace echomap::exports

@@ -117,10 +117,9 @@ void write_map_svg(const std::filesystem::path& path,
                    const std::optional<mapping::PolygonMap>& outline,
                    const MapStyle& style) {
   const RasterMap map = mapping::rasterize(*snapshot.grid);
-  const SvgSheet sheet(
-      frame_of(map, style.turn_rad, trail_bounds_m(snapshot, style.robot_radius_m)),
-      style.title,
-      legend_of(snapshot, outline.has_value(), style));
+  const SvgSheet sheet(frame_of(map, style.turn_rad, held_points_m(snapshot, style)),
+                       style.title,
+                       legend_of(snapshot, outline.has_value(), style));
   std::string text = sheet.header();
   text += svg_filled("floor", kFloorColour, cells_path(map, CellState::kFree));
   text += sheet.grid();

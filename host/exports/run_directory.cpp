@@ -123,6 +123,7 @@ RunPictures pictures_of(const pipeline::Snapshot& snapshot,
   pictures.style.turn_rad = drawing.align ? main_direction_rad(snapshot, pictures.outline) : 0.0;
   pictures.style.robot_radius_m = drawing.robot_radius_m;
   pictures.style.landmarks = drawing.landmarks;
+  pictures.style.holds_echoes = drawing.holds_echoes;
   pictures.style.title = title_of(drawing, summary, pictures.outline, pictures.style.turn_rad);
   return pictures;
 }

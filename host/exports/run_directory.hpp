@@ -31,6 +31,8 @@ struct RunDrawing {
   /// Whether map.png and map.svg are turned to the room's main direction.
   bool align = true;
   double robot_radius_m = 0.09;
+  /// Whether map.png and map.svg hold every echo: of a map of points.
+  bool holds_echoes = false;
   /// What the pictures' title begins with; empty: room and robot of the summary.
   std::string name{};
   MapLandmarks landmarks{};

@@ -51,4 +51,8 @@ fs::path bundled_file(const std::string& name_or_path,
 
 fs::path bundled_folder(const fs::path& folder) { return share_folder() / folder; }
 
+std::vector<std::string> bundled_names(const fs::path& folder) {
+  return names_in(share_folder() / folder);
+}
+
 }  // namespace echomap::files

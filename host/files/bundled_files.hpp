@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace echomap::files {
 
@@ -16,5 +17,8 @@ std::filesystem::path bundled_file(const std::string& name_or_path,
 
 /// A folder of the files that come with echomap.
 std::filesystem::path bundled_folder(const std::filesystem::path& folder);
+
+/// The names of the TOML files in such a folder, in alphabetical order.
+std::vector<std::string> bundled_names(const std::filesystem::path& folder);
 
 }  // namespace echomap::files

@@ -10,6 +10,7 @@
 #include "host/exploration/epuck_drive.hpp"
 #include "host/exploration/fault_watch.hpp"
 #include "host/exploration/random_bounce.hpp"
+#include "host/files/bundled_files.hpp"
 #include "host/geometry/angle.hpp"
 #include "host/strategies/coastal_setup.hpp"
 #include "host/strategies/course_file.hpp"
@@ -152,26 +153,68 @@ const Strategy& strategy_of(const StrategyOptions& options) {
   return *found;
 }
 
+/// An option that only some strategies go by.
+struct OwnedOption {
+  const char* name;
+  bool is_asked_for;
+  std::vector<std::string> owners;
+};
+
+std::vector<OwnedOption> owned_options(const StrategyOptions& options) {
+  const StrategyOptions usual;
+  std::vector<std::string> limited;
+  for (const Strategy& strategy : strategies()) {
+    if (strategy.limit == StrategyLimit::kStops) {
+      limited.emplace_back(strategy.name);
+    }
+  }
+  return {{"--stops", options.stops.has_value(), limited},
+          {"--scans", options.scans > usual.scans, {"nxt-farthest"}},
+          {"--waypoints", !options.waypoints.empty(), {"tangent-bug"}},
+          {"--stop-list", !options.stop_list.empty(), {"stops"}},
+          {"--hand", options.hand != usual.hand, {"coastal"}},
+          {"--seconds", options.seconds != usual.seconds, {"random-bounce"}},
+          {"--as-told", options.as_told, {"nxt-farthest", "coastal", "tangent-bug"}}};
+}
+
+bool fits(const RobotProfile& profile, StrategyOptions options, const std::string& strategy) {
+  options.name = strategy;
+  return strategy_of(options).lack(profile, options).empty();
+}
+
 /// What only another strategy goes by shall not do nothing in silence.
-void refuse_strange_options(const StrategyOptions& options) {
-  const auto refuse = [&](const std::string& option, const std::string& owner) {
+void refuse_strange_options(const RobotProfile& profile, const StrategyOptions& options) {
+  for (const OwnedOption& option : owned_options(options)) {
+    if (!option.is_asked_for || std::ranges::count(option.owners, options.name) > 0) {
+      continue;
+    }
+    const auto owner = std::ranges::find_if(
+        option.owners, [&](const std::string& one) { return fits(profile, options, one); });
     throw CommandError(ExitCode::kUsage,
-                       option + " is for strategy '" + owner + "', not for '" + options.name +
-                           "'\n  next: leave it out, or --strategy " + owner);
-  };
-  if (options.scans > 1 && options.name != "nxt-farthest") {
-    refuse("--scans", "nxt-farthest");
+                       std::string(option.name) + " is for strategy '" + option.owners.front() +
+                           "', not for '" + options.name + "'\n  next: leave it out" +
+                           (owner == option.owners.end() ? "" : ", or --strategy " + *owner));
   }
-  if (!options.waypoints.empty() && options.name != "tangent-bug") {
-    refuse("--waypoints", "tangent-bug");
+}
+
+/// What to type where a robot lacks what the strategy needs: the option that it lacks nothing for,
+/// a bundled robot that has it (the usual one before others), or a strategy that fits the robot.
+std::string what_fits(const RobotProfile& profile, const StrategyOptions& options) {
+  StrategyOptions other_hand = options;
+  other_hand.hand = options.hand == "left" ? "right" : "left";
+  if (fits(profile, other_hand, options.name)) {
+    return "--hand " + other_hand.hand;
   }
-  if (!options.stop_list.empty() && options.name != "stops") {
-    refuse("--stop-list", "stops");
-  }
-  constexpr std::array<std::string_view, 3> kTold{"nxt-farthest", "coastal", "tangent-bug"};
-  if (options.as_told && std::ranges::count(kTold, options.name) == 0) {
-    refuse("--as-told", "nxt-farthest");
-  }
+  std::vector<std::string> robots = files::bundled_names("host/profiles");
+  std::ranges::stable_partition(robots, [](const std::string& name) { return name == "uno_2wd"; });
+  const auto robot = std::ranges::find_if(robots, [&](const std::string& name) {
+    return fits(session::load_robot_profile(name), options, options.name);
+  });
+  const std::array<const char*, 4> names{"frontier", "coastal", "epuck", "random-bounce"};
+  const auto* const strategy =
+      std::ranges::find_if(names, [&](const char* name) { return fits(profile, {}, name); });
+  return "--robot " + (robot == robots.end() ? "another" : *robot) + ", or --strategy " +
+         *strategy + ", which '" + profile.name + "' can do";
 }
 
 }  // namespace
@@ -219,13 +262,14 @@ ExplorerPtr under_watch(ExplorerPtr explorer, const RobotProfile& profile, bool 
 }
 
 void validate_fit(const RobotProfile& profile, const StrategyOptions& options) {
-  refuse_strange_options(options);
-  if (const std::string lack = strategy_of(options).lack(profile, options); !lack.empty()) {
-    throw CommandError(ExitCode::kConfigInvalid,
-                       "strategy '" + options.name + "' needs " + lack + ", and profile '" +
-                           profile.name +
-                           "' has none\n  next: name another with --robot, as uno_2wd");
+  refuse_strange_options(profile, options);
+  const std::string lack = strategy_of(options).lack(profile, options);
+  if (lack.empty()) {
+    return;
   }
+  throw CommandError(ExitCode::kConfigInvalid,
+                     "strategy '" + options.name + "' needs " + lack + ", and profile '" +
+                         profile.name + "' has none\n  next: " + what_fits(profile, options));
 }
 
 std::string strategy_without_sonar(const RobotProfile& profile) {

@@ -13,6 +13,7 @@
 #include "host/files/atomic_file.hpp"
 #include "host/session/child_process.hpp"
 #include "host/session/temporary_folder.hpp"
+#include "host/strategies/strategy_setup.hpp"
 #include "tests/benchmarks/exploration_log.hpp"
 
 namespace echomap::bench {
@@ -27,9 +28,13 @@ std::vector<std::string> command_of(const ExplorationCase& what, int seed, const
                                    "demo",
                                    "--headless",
                                    "--no-kidnap",
-                                   "--stops=60",
                                    "--out=" + run.string(),
                                    "--json=" + run.string() + ".json"};
+  strategies::StrategyOptions strategy;
+  strategy.name = what.strategy;
+  if (strategies::limit_of(strategy) == strategies::StrategyLimit::kStops) {
+    command.emplace_back("--stops=60");
+  }
   const auto arguments = tests::demo_arguments(what, seed);
   command.insert(command.end(), arguments.begin(), arguments.end());
   return command;

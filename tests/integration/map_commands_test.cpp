@@ -112,6 +112,14 @@ TEST_F(MapCommands, EvalDrawsTheErrorsAndScoresRelations) {
   EXPECT_NEAR(report().at("relation_rotation_mean_rad").get<double>(), 0.05, 1e-6);
 }
 
+TEST_F(MapCommands, EvalRefusesTheTruthOfAnotherRoom) {
+  write_text_file(scratch / "before/summary.json", R"({"world": "living_room"})");
+  write_text_file(scratch / "truth/truth.json", R"({"world": "create_l"})");
+  const Ended ended = echomap({"eval", at("before"), "--truth=" + at("truth")});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.said, AllOf(HasSubstr("'living_room'"), HasSubstr("'create_l'")));
+}
+
 TEST_F(MapCommands, EvalScoresRelationsWithoutATruth) {
   write_text_file(scratch / "known.assoc", "0 1 0.5 0 0\n");
   const std::string relations = "--relations=" + at("known.assoc");

@@ -15,6 +15,7 @@
 namespace echomap::apps {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 TEST(MapFile, IsThatOfARunDirectoryOrTheFileItself) {
@@ -45,10 +46,15 @@ TEST(MapFile, NeedsFloorWhereARobotCouldBe) {
   EXPECT_THAT(text, HasSubstr("next: "));
 }
 
-TEST(MapFile, NamesTheFileThatIsMissing) {
+TEST(MapFile, SaysWhatAFolderWithoutAMapIsAndWhatToType) {
   const tests::ScratchFolder scratch;
-  EXPECT_THAT(tests::thrown_text<files::FileError>([&] { read_map(scratch.path()); }),
-              HasSubstr("map.yaml"));
+  const auto complaint = [&] {
+    return tests::thrown_text<console::CommandError>([&] { read_map(scratch.path()); });
+  };
+  EXPECT_THAT(complaint(),
+              AllOf(HasSubstr("has no map.yaml"), HasSubstr("next: name the one that")));
+  files::write_text_file(scratch / "truth_map.yaml", "");
+  EXPECT_THAT(complaint(), HasSubstr("or the file " + (scratch / "truth_map.yaml").string()));
 }
 
 }  // namespace

@@ -26,6 +26,7 @@
 namespace echomap::apps {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
@@ -51,6 +52,37 @@ class ReplayCommandTest : public ::testing::Test {
   tests::ScratchFolder scratch_;
   ReplayOptions options_;
 };
+
+TEST_F(ReplayCommandTest, MakesCellsOfMillimetres) {
+  options_.poses = "given";
+  options_.resolution_m = 0.005;
+  EXPECT_EQ(run_replay(options_), ExitCode::kOk);
+  EXPECT_EQ(exports::read_pgm_yaml(options_.out / "map.yaml").resolution_m(), 0.005);
+}
+
+TEST_F(ReplayCommandTest, PointsHaveNoCells) {
+  options_.map = "points";
+  options_.resolution_m = 0.005;
+  EXPECT_THAT(error(), HasSubstr("a map of points has none\n  next: leave it out, or --map grid"));
+}
+
+TEST_F(ReplayCommandTest, SaysWhatARecordingWithoutEchoesHolds) {
+  options_.log = scratch_ / "field" / recording::kSessionFileName;
+  fs::create_directories(scratch_ / "field");
+  tests::WrittenRecording recording(session::load_robot_profile("epuck"));
+  recording.begin(options_.log);
+  recording.save(options_.log);
+  options_.log = scratch_ / "field";
+  options_.map = "points";
+  EXPECT_THAT(
+      error(),
+      AllOf(HasSubstr("a recording of robot 'epuck', which has no sonar: it holds odometry, "
+                      "contacts and infra-red readings, and no echoes"),
+            HasSubstr("next: echomap replay " + options_.log.string() + " --out field_again")));
+  options_.map = "grid";
+  options_.slam = "ekf";
+  EXPECT_THAT(error(), HasSubstr("--slam ekf needs a sonar"));
+}
 
 TEST_F(ReplayCommandTest, ByGivenPosesTheRoomIsAsItIs) {
   options_.poses = "given";

@@ -64,10 +64,10 @@ TEST(LegendOf, NamesTheOutlineIfThereIsOne) {
             (std::vector<std::string>{"floor", "occupied", "unknown", "outline", "robot"}));
 }
 
-TEST(TrailBounds, HoldTheRobotHoweverThePictureIsTurned) {
+TEST(HeldPoints, HoldTheRobotHoweverThePictureIsTurned) {
   auto snapshot = tests::snapshot_of(mapping::OccupancyGrid());
   snapshot.latest = tests::pose_at(0, {1.0, 2.0, 0.5});
-  const auto points_m = trail_bounds_m(snapshot, 0.1);
+  const auto points_m = held_points_m(snapshot, {.robot_radius_m = 0.1});
   ASSERT_EQ(points_m.size(), 4U);
   for (const Eigen::Vector2d& point_m : points_m) {
     const Eigen::Vector2d from_robot_m = point_m - Eigen::Vector2d(1.0, 2.0);
@@ -77,14 +77,24 @@ TEST(TrailBounds, HoldTheRobotHoweverThePictureIsTurned) {
   EXPECT_NEAR((points_m[0] - points_m[3]).norm(), 0.3 * std::sqrt(2.0), 1e-12);
 }
 
-TEST(TrailBounds, HoldEveryPoseOfTheTrail) {
+TEST(HeldPoints, HoldEveryPoseOfTheTrail) {
   const auto snapshot = tests::snapshot_of(
       mapping::OccupancyGrid(), {tests::pose_at(0, {-3.0, 0.0, 0.0}), tests::pose_at(1, {})});
-  const auto points_m = trail_bounds_m(snapshot, 0.0);
+  const auto points_m = held_points_m(snapshot, {.robot_radius_m = 0.0});
   // The last pose is the robot's, too.
   ASSERT_EQ(points_m.size(), 12U);
   EXPECT_EQ(points_m.front(), Eigen::Vector2d(-3.0, 0.0));
   EXPECT_EQ(points_m.back(), Eigen::Vector2d(0.0, 0.0));
+}
+
+TEST(HeldPoints, AreTheEchoesOfAMapOfPointsToo) {
+  mapping::PointCloudMap points;
+  points.add({geometry::Pose2(), geometry::Pose2(), 2.5});
+  const auto snapshot = tests::snapshot_of(mapping::OccupancyGrid(), {}, points);
+  EXPECT_EQ(held_points_m(snapshot, {}).size(), 4U);
+  const auto points_m = held_points_m(snapshot, {.holds_echoes = true});
+  ASSERT_EQ(points_m.size(), 5U);
+  EXPECT_EQ(points_m.back(), Eigen::Vector2d(2.5, 0.0));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/files/bundled_files.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -18,6 +19,12 @@ TEST(BundledFile, FindsANameAmongTheBundledOnes) {
 TEST(BundledFile, LeavesAPathAsItStands) {
   EXPECT_EQ(bundled_file("my.toml", "host/profiles", "robot profile"), "my.toml");
   EXPECT_EQ(bundled_file("./mine", "host/profiles", "robot profile"), "./mine");
+}
+
+TEST(BundledFile, ListsTheNamesOfAFolder) {
+  const auto names = bundled_names("host/profiles");
+  EXPECT_THAT(names, ::testing::IsSupersetOf({"create", "epuck", "uno_2wd"}));
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
 }
 
 TEST(BundledFile, NamesTheNearestOne) {

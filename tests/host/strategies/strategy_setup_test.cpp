@@ -113,6 +113,53 @@ TEST(StrategySetup, LeavesOutDeparturesOfNxtFarthestWhereThatIsAskedFor) {
   EXPECT_EQ(told.candidates, 4U);
 }
 
+TEST(StrategySetup, RefusesAsOptionsWhatOtherStrategiesGoBy) {
+  const auto create = session::load_robot_profile("create");
+  const auto complaint_about = [&](const StrategyOptions& options) {
+    return tests::thrown_text<console::CommandError>([&] { validate_fit(create, options); });
+  };
+  StrategyOptions options;
+  options.name = "coastal";
+  options.stops = 3;
+  EXPECT_EQ(complaint_about(options),
+            "--stops is for strategy 'nxt-farthest', not for 'coastal'\n  next: leave it out")
+      << "a Create has no sonar";
+  options.stops.reset();
+  options.seconds = 60.0;
+  EXPECT_THAT(complaint_about(options),
+              testing::EndsWith("leave it out, or --strategy random-bounce"));
+  options.name = "random-bounce";
+  EXPECT_NO_THROW(validate_fit(create, options));
+  options.hand = "left";
+  EXPECT_THAT(complaint_about(options), testing::HasSubstr("--hand is for strategy 'coastal'"));
+}
+
+struct Misfit {
+  const char* robot;
+  const char* strategy;
+  const char* next;
+};
+
+TEST(StrategySetup, SaysWhichRobotAndWhichStrategyFit) {
+  std::mt19937 random(1);
+  for (const Misfit& one :
+       {Misfit{
+            "create", "frontier", "--robot uno_2wd, or --strategy coastal, which 'create' can do"},
+        Misfit{"epuck", "frontier", "--robot uno_2wd, or --strategy epuck, which 'epuck' can do"},
+        Misfit{
+            "uno_2wd", "coastal", "--robot create, or --strategy frontier, which 'uno_2wd' can do"},
+        Misfit{"uno_2wd", "epuck", "--robot epuck, or --strategy frontier, which 'uno_2wd' can do"},
+        Misfit{"create_left", "coastal", "--hand left"}}) {
+    StrategyOptions options;
+    options.name = one.strategy;
+    const auto profile = session::load_robot_profile(one.robot);
+    EXPECT_THAT(
+        tests::thrown_text<console::CommandError>([&] { explorer_for(profile, options, random); }),
+        testing::EndsWith("\n  next: " + std::string(one.next)))
+        << one.robot << " " << one.strategy;
+  }
+}
+
 TEST(StrategySetup, SaysWhatARobotLacks) {
   std::mt19937 random(1);
   try {
