@@ -205,13 +205,11 @@ NextCommands next_commands(const DemoOptions& options,
   find.insert(find.end(), robot.begin(), robot.end());
   const std::string again = demo_line(options);
   const strategies::StrategyOptions& strategy = options.run.strategy;
-  const bool has_another = profile.has_sonar && strategy.name != strategies::StrategyOptions().name;
-  return {score,
-          strategy.stops ? again
-          : has_another  ? demo_by_frontier(options)
-                         : score,
-          console::shell_line(find),
-          again};
+  const bool is_frontier = strategy.name == strategies::StrategyOptions().name;
+  const std::string more = is_frontier         ? score
+                           : profile.has_sonar ? demo_by_frontier(options)
+                                               : again;
+  return {score, strategy.stops ? again : more, console::shell_line(find), again};
 }
 
 /// How a drive has ended, and what became of a robot that was carried off behind it.

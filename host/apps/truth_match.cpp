@@ -63,9 +63,10 @@ RoomMatch match_rooms(const fs::path& run, const fs::path& truth) {
 }
 
 void refuse_misfit(const fs::path& run, const fs::path& truth, const evaluation::RunScore& score) {
-  // Maps by odometry alone in the bundled rooms keep more of their walls, or keep them nearer.
-  constexpr double kMaxWallErrorM = 0.2;
-  constexpr double kMinWallRecall = 0.25;
+  // Maps on the truths of other bundled rooms: off by 37 to 90 cm, with 4 to 7 % of the walls. The
+  // map of a robot that got lost in its own room: 21 cm, 10 %.
+  constexpr double kMaxWallErrorM = 0.3;
+  constexpr double kMinWallRecall = 0.15;
   const evaluation::MapAgreement& best = score.fitted.map;
   if (best.wall_rmse_m.value_or(0.0) > kMaxWallErrorM && best.wall_recall < kMinWallRecall) {
     throw CommandError(

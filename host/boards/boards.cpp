@@ -202,6 +202,24 @@ std::string bridges_of(const Board& board) {
   return in_a_row(kinds, " and ");
 }
 
+std::string robots_of_boards() {
+  std::vector<std::pair<std::string_view, std::string>> robots;
+  for (const Board& board : all_boards()) {
+    const auto known = std::find_if(
+        robots.begin(), robots.end(), [&](const auto& one) { return one.first == board.robot; });
+    if (known == robots.end()) {
+      robots.emplace_back(board.robot, board.name);
+    } else {
+      known->second += ", " + std::string(board.name);
+    }
+  }
+  std::string words;
+  for (const auto& [robot, names] : robots) {
+    words += (words.empty() ? "" : ", ") + std::string(robot) + " (" + names + ")";
+  }
+  return words;
+}
+
 std::string boards_that_carry(MotorBridgeKind kind) {
   std::vector<std::string_view> found;
   for (const Board& board : all_boards()) {

@@ -57,6 +57,9 @@ const Board& board_named(std::string_view name);
 /// The board that an emulator runs where none is named; null for what is no board's emulator.
 const Board* usual_board_of(std::string_view emulator);
 
+/// Each board's usual profile with the boards that it is of: "uno_2wd (uno, nano), ..".
+std::string robots_of_boards();
+
 /// The command that builds an emulator, and the firmware of `board` for it; where `board` is empty,
 /// that of its usual board.
 std::string way_to_build(std::string_view emulator, std::string_view board);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "host/boards/boards.hpp"
 #include "host/session/motor_driver_profile.hpp"
 #include "host/session/scalar_profile.hpp"
 
@@ -151,9 +152,12 @@ std::string RobotSetup::words_of_refusal(const robot_link::Command& command) con
     return "the pins" + of_profile + advice_on_refused_scalar(robot ? robot->capabilities : 0);
   }
   return name_of(command) + of_profile +
-         "it has no such pins or sensors, or a value is out of range\n"
-         "  next: compare the profile with the board's page in docs/hardware, or update the "
-         "firmware: ./run flash --port " +
+         "it has no such pins or sensors, or a value is out of range: the profile is of another "
+         "board, or wrong\n"
+         "  next: name the robot on this board with --robot, usually " +
+         boards::robots_of_boards() +
+         ", compare the profile with the board's page in docs/hardware, or update the firmware: "
+         "./run flash --port " +
          line_.name();
 }
 

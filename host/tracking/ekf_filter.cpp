@@ -45,8 +45,12 @@ void EkfFilter::poll(const session::RobotSession& session) {
     losses_told_ = ekf_.times_lost();
     was_lost_ = true;
     console::print(
-        "  lost: the robot was lifted, or pose measurements contradict the estimate; restarting at "
-        "the next measurement");
+        ekf_.belief()
+            ? fmt::format(
+                  "  pose measurements contradict the estimate (did a wheel slip, or was the "
+                  "robot moved?): restarted at the one of {:.1f} s of robot time",
+                  std::chrono::duration<double>(ekf_.stamp()->time_since_epoch()).count())
+            : "  lost: the robot was lifted; restarting at the next measurement");
   }
   look_for_silence(session.now());
 }

@@ -238,7 +238,7 @@ std::vector<StagedEnd> make_ends() {
        "battery-low",
        "echomap: error: not finished; the map so far is saved: the battery is low\n"
        "  next: charge it without moving the robot, then: echomap demo --world create_l --emulator "
-       "mock --robot create\n"},
+       "mock --robot create --strategy coastal\n"},
       {"Lost",
        demo_stage({"--robot=ev3_mega",
                    "--world=playground",
@@ -250,7 +250,8 @@ std::vector<StagedEnd> make_ends() {
        "lost",
        "echomap: error: not finished; the map so far is saved: sonar readings contradict the map: "
        "the robot was carried, or its wheels slipped\n"
-       "  next: start again, or find it in its map: echomap localize --map RUN\n"},
+       "  next: start again, or find it in its map: echomap localize --map RUN --robot "
+       "evN_mega\n"},
       {"Lifted",
        lift,
        7,

@@ -94,6 +94,13 @@ TEST(Boards, AreOnThePageThatComparesThem) {
   }
 }
 
+TEST(Boards, NameTheirUsualRobots) {
+  const std::string robots = robots_of_boards();
+  EXPECT_THAT(robots, ::testing::StartsWith("uno_2wd (uno, nano, mega, stm32f103)"));
+  EXPECT_THAT(robots, HasSubstr("ev3 (ev3)"));
+  EXPECT_THAT(robots, HasSubstr("pico_2wd (pico)"));
+}
+
 TEST(KnownUsbIds, NameBoardsThatThereAre) {
   for (const transport::KnownUsbId& known : transport::known_usb_ids()) {
     if (!known.board.empty()) {

@@ -168,6 +168,14 @@ class RefusedSetup : public RobotSetupTest {
   }
 };
 
+TEST_F(RefusedSetup, NamesTheRobotsOfTheBoards) {
+  let_refuse("ConfigurePins");
+  const std::string error = error_with(console::ExitCode::kConfigInvalid);
+  EXPECT_NE(error.find("next: name the robot on this board with --robot, usually uno_2wd (uno"),
+            std::string::npos)
+      << error;
+}
+
 TEST_F(RefusedSetup, SaysWhichBoardsHaveATimerForServos) {
   profile.configuration.wiring.bridge =
       static_cast<std::uint8_t>(protocol::MotorBridgeKind::kServo);

@@ -110,6 +110,22 @@ TEST_F(EkfFilterTest, WarnsOnceOfACameraThatIsSilent) {
   EXPECT_EQ(text.find("no usable pose"), text.rfind("no usable pose"));
 }
 
+TEST_F(EkfFilterTest, SaysWhenMeasurementsContradictTheEstimate) {
+  const auto filter = connect(std::nullopt);
+  let_pass(3000);
+  bytes = kFix;
+  let_pass(200);
+  ::testing::internal::CaptureStdout();
+  for (int i = 0; i < 10; ++i) {
+    bytes = "{\"stamp_s\": 70.1, \"sent_s\": 70.1, \"x_m\": 9, \"y_m\": 9, \"heading_rad\": 2}\n";
+    let_pass(100);
+  }
+  const std::string said = ::testing::internal::GetCapturedStdout();
+  EXPECT_THAT(said, HasSubstr("pose measurements contradict the estimate"));
+  EXPECT_EQ(said.find("contradict"), said.rfind("contradict")) << said;
+  EXPECT_EQ(said.find("lost"), std::string::npos) << said;
+}
+
 TEST_F(EkfFilterTest, HasLostALiftedRobotUntilTheNextFix) {
   const auto filter = connect(StartPose{{0.5, 0.25, 0.0}});
   filter->begin(*session);
