@@ -169,7 +169,7 @@ class RefusedSetup : public RobotSetupTest {
 };
 
 TEST_F(RefusedSetup, NamesTheRobotsOfTheBoards) {
-  let_refuse("ConfigurePins");
+  let_refuse("ConfigureDrive");
   const std::string error = error_with(console::ExitCode::kConfigInvalid);
   EXPECT_NE(error.find("next: name the robot on this board with --robot, usually uno_2wd (uno"),
             std::string::npos)

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -115,12 +116,15 @@ TEST_F(EkfFilterTest, SaysWhenMeasurementsContradictTheEstimate) {
   let_pass(3000);
   bytes = kFix;
   let_pass(200);
-  ::testing::internal::CaptureStdout();
-  for (int i = 0; i < 10; ++i) {
-    bytes = "{\"stamp_s\": 70.1, \"sent_s\": 70.1, \"x_m\": 9, \"y_m\": 9, \"heading_rad\": 2}\n";
+  ::testing::internal::CaptureStderr();
+  for (int i = 0; i < 20; ++i) {
+    bytes = fmt::format(
+        R"({{"stamp_s": {0:.1f}, "sent_s": {0:.1f}, "x_m": 9, "y_m": 9, "heading_rad": 2}})"
+        "\n",
+        70.3 + 0.1 * i);
     let_pass(100);
   }
-  const std::string said = ::testing::internal::GetCapturedStdout();
+  const std::string said = ::testing::internal::GetCapturedStderr();
   EXPECT_THAT(said, HasSubstr("pose measurements contradict the estimate"));
   EXPECT_EQ(said.find("contradict"), said.rfind("contradict")) << said;
   EXPECT_EQ(said.find("lost"), std::string::npos) << said;
