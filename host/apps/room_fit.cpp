@@ -23,12 +23,12 @@ RunEnding with_narrow_room(RunEnding ending,
                            const session::RobotProfile& profile,
                            const std::string& next) {
   // The bundled robots get over 99 % of each bundled room but for one that is made for an e-puck.
-  constexpr double kMostOfIt = 0.9;
+  constexpr double kFittingShare = 0.9;
   if (!ending.finished() || truth.trajectory.empty()) {
     return ending;
   }
   const double share = share_in_reach(truth, profile.body_radius_m);
-  if (share < kMostOfIt) {
+  if (share < kFittingShare) {
     ending.code = console::ExitCode::kUnfinished;
     ending.why = fmt::format(
         "{}; but robot '{}', {:.0f} cm wide, does not fit through the room: from its start it can "
