@@ -99,7 +99,8 @@ TEST_F(DemoOptions, MapsOverAPoorRadioLine) {
 }
 
 TEST_F(DemoOptions, QuietSaysNothingButThatItIsUnfinished) {
-  EXPECT_THAT(run({"--stops=1"}).said, AllOf(HasSubstr("map: "), HasSubstr("free_iou")));
+  EXPECT_THAT(run({"--stops=1"}).said,
+              AllOf(HasSubstr("map: "), HasSubstr("free_iou"), HasSubstr("not carried off: ")));
   EXPECT_THAT(run({"--stops=1", "-q"}).said, StartsWith("echomap: error: not finished"));
 }
 
@@ -127,6 +128,33 @@ TEST_F(DemoOptions, TheNextCommandIsOfTheSameRobotBodyAndDriver) {
   EXPECT_EQ(json("run/summary.json").at("next"),
             "echomap demo --world living_room --emulator mock --robot " + path("robot.toml") +
                 " --body " + path("body.toml") + " --driver tb6612fng");
+}
+
+TEST_F(DemoOptions, TheNextCommandIsByTheSameStrategy) {
+  const Ended ended = run({"--stops=1", "--no-kidnap", "--strategy=nxt-farthest"});
+  EXPECT_EQ(ended.status, kUnfinished) << ended.said;
+  EXPECT_EQ(json("run/summary.json").at("next"),
+            "echomap demo --world living_room --emulator mock --strategy nxt-farthest");
+}
+
+TEST_F(DemoOptions, ARobotThatDoesNotFitThroughItsRoomHasNotFinished) {
+  const Ended ended = run({"--robot=create", "--world=epuck_field", "--strategy=coastal"});
+  EXPECT_EQ(ended.status, kUnfinished);
+  EXPECT_THAT(ended.said,
+              AllOf(HasSubstr("robot 'create', 33 cm wide, does not fit through the room"),
+                    HasSubstr("next: a larger room: echomap demo --world create_l --emulator mock "
+                              "--robot create --strategy coastal\n")));
+  EXPECT_EQ(json("run/summary.json").at("finished"), false);
+}
+
+TEST_F(DemoOptions, WhatARobotDoesNotGoByIsRefused) {
+  const std::vector<std::string> create{"--robot=create", "--strategy=coastal"};
+  const Ended by_slam = run({create[0], create[1], "--slam=multiscan"});
+  EXPECT_EQ(by_slam.status, 2);
+  EXPECT_THAT(by_slam.said, HasSubstr("next: leave out --slam"));
+  const Ended by_stops = run({create[0], create[1], "--stops=3"});
+  EXPECT_EQ(by_stops.status, 2);
+  EXPECT_THAT(by_stops.said, HasSubstr("--stops is for strategy 'nxt-farthest'"));
 }
 
 TEST_F(DemoOptions, ARunIsNotOverwrittenUnlessForced) {
