@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/apps/truth_match.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include <fmt/format.h>
@@ -63,22 +64,30 @@ RoomMatch match_rooms(const fs::path& run, const fs::path& truth) {
 }
 
 void refuse_misfit(const fs::path& run, const fs::path& truth, const evaluation::RunScore& score) {
-  // Maps on the truths of other bundled rooms: off by 37 to 90 cm, with 4 to 7 % of the walls. The
-  // map of a robot that got lost in its own room: 21 cm, 10 %.
-  constexpr double kMaxWallErrorM = 0.3;
-  constexpr double kMinWallRecall = 0.15;
-  const evaluation::MapAgreement& best = score.fitted.map;
-  if (best.wall_rmse_m.value_or(0.0) > kMaxWallErrorM && best.wall_recall < kMinWallRecall) {
+  // Maps on the truths of other bundled rooms have at most 10 % of the walls and 36 % of the floor
+  // in common with them. One that a robot has bent in its own room has half of the walls where it
+  // began, and more than half of the floor.
+  constexpr double kMinWallRecall = 0.25;
+  constexpr double kMinFreeIou = 0.5;
+  constexpr double kMaxWallErrorM = 0.15;
+  const evaluation::MapAgreement& start = score.start.map;
+  const evaluation::MapAgreement& fitted = score.fitted.map;
+  const double wall_error_m =
+      std::min(start.wall_rmse_m.value_or(0.0), fitted.wall_rmse_m.value_or(0.0));
+  const double wall_recall = std::max(start.wall_recall, fitted.wall_recall);
+  const double free_iou = std::max(start.free_iou, fitted.free_iou);
+  if (wall_error_m > kMaxWallErrorM && wall_recall < kMinWallRecall && free_iou < kMinFreeIou) {
     throw CommandError(
         ExitCode::kRuntimeError,
-        fmt::format("the map of {} does not fit {}, which is of another room, or of another start: "
-                    "laid on it as well as can be, its walls are off by {:.0f} cm, and {:.0f} % of "
-                    "the true walls are in it\n  next: {}",
-                    run.string(),
-                    truth.string(),
-                    100.0 * *best.wall_rmse_m,
-                    100.0 * best.wall_recall,
-                    right_command(run, truth)));
+        fmt::format(
+            "the map of {} does not fit {}, which is of another room, or of another start: "
+            "its walls are off by {:.0f} cm or more, and it has {:.0f} % of the true walls at "
+            "most\n  next: {}",
+            run.string(),
+            truth.string(),
+            100.0 * wall_error_m,
+            100.0 * wall_recall,
+            right_command(run, truth)));
   }
 }
 

@@ -18,8 +18,8 @@ enum class RoomMatch : std::uint8_t {
 /// where they are two, with the command for the run's own truth.
 RoomMatch match_rooms(const std::filesystem::path& run, const std::filesystem::path& truth);
 
-/// Throws CommandError 1 where a map agrees so little with the truth, even laid on it as it fits
-/// best, that the truth must be of another room.
+/// Throws CommandError 1 where a map agrees so little with the truth, placed by the start and as it
+/// fits best, that the truth must be of another room.
 void refuse_misfit(const std::filesystem::path& run,
                    const std::filesystem::path& truth,
                    const evaluation::RunScore& score);

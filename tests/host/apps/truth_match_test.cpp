@@ -57,16 +57,14 @@ TEST_F(TruthMatch, DoesNotKnowWhereOneNamesNoRoomOrAFile) {
 TEST_F(TruthMatch, JudgesByTheWallsWhereItDoesNotKnow) {
   evaluation::RunScore score;
   EXPECT_NO_THROW(refuse_misfit(run_, truth_, score)) << "a map without walls";
-  score.fitted.map.wall_rmse_m = 0.4;
-  score.fitted.map.wall_recall = 0.2;
-  EXPECT_NO_THROW(refuse_misfit(run_, truth_, score)) << "a bad map of the room";
-  score.fitted.map.wall_recall = 0.07;
+  score.start.map = {0.36, 0.26, 0.10};
+  score.fitted.map = {0.34, 0.40, 0.07};
   EXPECT_THAT(
       tests::thrown_text<console::CommandError>([&] { refuse_misfit(run_, truth_, score); }),
-      HasSubstr("its walls are off by 40 cm, and 7 % of the true walls are in it"));
-  score.fitted.map.wall_rmse_m = 0.2;
-  EXPECT_NO_THROW(refuse_misfit(run_, truth_, score)) << "of a robot that got lost in the room";
-  score.fitted.map.wall_rmse_m = 0.04;
+      HasSubstr("its walls are off by 26 cm or more, and it has 10 % of the true walls"));
+  score.start.map = {0.69, 0.54, 0.52};
+  EXPECT_NO_THROW(refuse_misfit(run_, truth_, score)) << "bent by a robot that was carried off";
+  score.start.map = {0.05, 0.04, 0.07};
   EXPECT_NO_THROW(refuse_misfit(run_, truth_, score)) << "one stop in a large room";
 }
 
