@@ -67,7 +67,7 @@ void refuse_misfit(const fs::path& run, const fs::path& truth, const evaluation:
   // Maps on the truths of other bundled rooms have at most 10 % of the walls and 36 % of the floor
   // in common with them. One that a robot has bent in its own room has half of the walls where it
   // began, and more than half of the floor.
-  constexpr double kMinWallRecall = 0.25;
+  constexpr double kMinWallRecall = 0.15;
   constexpr double kMinFreeIou = 0.5;
   constexpr double kMaxWallErrorM = 0.15;
   const evaluation::MapAgreement& start = score.start.map;
