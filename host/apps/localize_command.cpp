@@ -8,6 +8,7 @@
 
 #include "host/apps/commands.hpp"
 #include "host/apps/explore_progress.hpp"
+#include "host/apps/localize_places.hpp"
 #include "host/apps/localize_run.hpp"
 #include "host/apps/map_file.hpp"
 #include "host/apps/recorded_run.hpp"
@@ -217,6 +218,9 @@ ExitCode localize_log(const LocalizeOptions& options, const std::filesystem::pat
 ExitCode run_localize(const LocalizeOptions& options) {
   const auto out = run_folder(options.run.out);
   prepare_outputs(out, options.run.json, options.run.force);
+  if (places_of(options.map)) {
+    return localize_in_places(options, out);
+  }
   return options.log.empty() ? localize_robot(options, out) : localize_log(options, out);
 }
 

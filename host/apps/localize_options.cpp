@@ -11,6 +11,7 @@
 
 #include "host/apps/commands.hpp"
 #include "host/apps/live_options.hpp"
+#include "host/apps/localize_places.hpp"
 #include "host/apps/map_options.hpp"
 #include "host/apps/robot_options.hpp"
 #include "host/pipeline/preset_names.hpp"
@@ -33,6 +34,25 @@ std::string check_finite(const std::string& text) {
                                                                           : "it must be a number";
 }
 
+/// A map, or the folder of learned places.
+std::string check_map(const std::string& text) {
+  const auto places = places_of(text);
+  std::string name = places ? places->string() : text;
+  return places ? CLI::ExistingDirectory(name) : CLI::ExistingPath(name);
+}
+
+/// Of a robot without a map.
+void check_places(const CLI::App& command, const LocalizeOptions& options) {
+  if (options.log.empty()) {
+    throw CLI::ValidationError("--map", "places=DIR is for the sweep of a log: name the log");
+  }
+  for (const char* of_a_filter : {"--preset", "--particles", "--resampling", "--at"}) {
+    if (command.count(of_a_filter) > 0) {
+      throw CLI::ValidationError(of_a_filter, "places=DIR has no particles: leave it out");
+    }
+  }
+}
+
 /// What would do nothing is refused.
 void check_what_fits(const CLI::App& command, const LocalizeOptions& options) {
   const bool is_ekf = options.filter == "ekf";
@@ -47,6 +67,9 @@ void check_what_fits(const CLI::App& command, const LocalizeOptions& options) {
       throw CLI::ValidationError(other,
                                  std::string("it is for --filter ") + (is_ekf ? "mcl" : "ekf"));
     }
+  }
+  if (places_of(options.map)) {
+    check_places(command, options);
   }
   const std::string needed = is_ekf ? "--fixes" : "--map";
   if (command.count(needed) == 0) {
@@ -97,8 +120,12 @@ void add_localize(CLI::App& app, CommandAction& action) {
   const auto options = std::make_shared<LocalizeOptions>();
   CLI::Option* log = add_log_options(*command, options->log, options->format);
   command->get_option("--format")->needs(log);
-  command->add_option("--map", options->map, "Run directory, or YAML file of a ROS map; for mcl")
-      ->check(CLI::ExistingPath);
+  command
+      ->add_option("--map",
+                   options->map,
+                   "Run directory, or YAML file of a ROS map; for mcl. Or places=DIR: the sweep of "
+                   "a log is compared with those of places, a file of DIR each")
+      ->check(check_map);
   command
       ->add_option("--at",
                    options->at,
@@ -107,8 +134,6 @@ void add_localize(CLI::App& app, CommandAction& action) {
       ->check(check_finite);
   add_filter_options(*command, *options);
   add_connection_options(*command, options->connection);
-  constexpr double kBounceS = 300.0;
-  options->run.strategy.seconds = kBounceS;
   add_run_options(*command, options->run);
   add_live_options(*command, options->live, true);
   for (const char* of_a_robot : {"--port",
@@ -126,7 +151,8 @@ void add_localize(CLI::App& app, CommandAction& action) {
       "Example: echomap localize tuesday.log --map monday\n"
       "Example: echomap localize --port /dev/ttyACM0 --map kitchen\n"
       "Example: echomap localize --port /dev/ttyACM0 --robot create --map arena\n"
-      "Example: echomap localize field --map field --preset epuck --resampling 1");
+      "Example: echomap localize field --map field --preset epuck --resampling 1\n"
+      "Example: echomap localize sweep.dat --format nxt --map places=learned");
   command->callback([&action, command, options] {
     check_what_fits(*command, *options);
     action = [options] { return run_localize(*options); };

@@ -19,6 +19,7 @@
 #include "host/apps/report.hpp"
 #include "host/apps/run_ending.hpp"
 #include "host/apps/run_recording.hpp"
+#include "host/apps/run_words.hpp"
 #include "host/apps/saved_map.hpp"
 #include "host/apps/session_progress.hpp"
 #include "host/console/print.hpp"
@@ -27,6 +28,7 @@
 #include "host/pipeline/preset_names.hpp"
 #include "host/session/firmware_name.hpp"
 #include "host/session/open_robot.hpp"
+#include "host/session/pipeline_setup.hpp"
 #include "host/session/robot_profile.hpp"
 #include "host/strategies/strategy_setup.hpp"
 #include "host/tracking/ekf_filter.hpp"
@@ -113,9 +115,8 @@ console::CommandWords words_of(const LocalizeOptions& options) {
   for (const std::string& port : options.connection.ports) {
     words.insert(words.end(), {"--port", port});
   }
-  if (options.run.robot != RunOptions().robot) {
-    words.insert(words.end(), {"--robot", options.run.robot});
-  }
+  const console::CommandWords robot = robot_words(options.run);
+  words.insert(words.end(), robot.begin(), robot.end());
   if (options.filter == "mcl") {
     words.insert(words.end(), {"--map", options.map.string()});
   } else {
@@ -190,6 +191,7 @@ void drive(session::RobotContext& context,
 /// A robot with a sonar sweeps at stops; others feel their way as their strategy has it.
 StrategyOptions strategy_for(const RobotProfile& profile, const LocalizeOptions& options) {
   StrategyOptions strategy = options.run.strategy;
+  strategy.stops.reset();  // `drive` counts them.
   const bool is_named = strategy.name != StrategyOptions().name;
   if (profile.has_sonar && is_named) {
     throw CommandError(ExitCode::kUsage,
@@ -201,6 +203,11 @@ StrategyOptions strategy_for(const RobotProfile& profile, const LocalizeOptions&
     strategy.name = strategies::strategy_without_sonar(profile);
   }
   return strategy;
+}
+
+/// By a map of its own from stop to stop; else by a strategy that needs none.
+bool is_driven_by_map(const RobotProfile& profile, localization::LocalizerPreset preset) {
+  return profile.has_sonar && preset != localization::LocalizerPreset::kNxt;
 }
 
 /// Of a robot in the simplest way of its preset: the paper's rounds, stops chosen by what they
@@ -220,7 +227,7 @@ std::unique_ptr<tracking::LocalizationDrive> drive_for(session::RobotContext& co
           std::make_unique<exploration::NxtRounds>(params), profile, false);
     });
   }
-  if (profile.has_sonar) {
+  if (is_driven_by_map(profile, options.preset)) {
     return std::make_unique<tracking::StopDriver>(
         context, options.run.slam, [&filter](const geometry::Pose2& goal) {
           return filter.telling(goal);
@@ -266,6 +273,8 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   RobotProfile profile = session::load_robot_profile(run.robot);
   const StrategyOptions strategy = strategy_for(profile, options);
   strategies::validate_fit(profile, strategy);
+  validate_slam(run, profile);
+  const bool drives_by_map = is_driven_by_map(profile, options.preset);
   session::RobotContext context(std::move(profile), session::Seed(run.seed));
   const auto map = options.filter == "mcl" ? std::optional(read_map(options.map)) : std::nullopt;
   auto made = filter_for(options, context.profile(), map, context.seed());
@@ -285,7 +294,7 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   }
   context.connect();
   exports::RunSummary facts;
-  facts.slam = run.slam;
+  facts.slam = drives_by_map ? run.slam : session::kNoSlam;
   move_earlier_run_aside(out);
   begin_recording(context, kLocalizeCommand, facts, out, split_bytes(run));
   show(live, map, robot);

@@ -55,9 +55,9 @@ std::optional<mapping::PolygonMap> outline_by_strategy(const std::filesystem::pa
     return std::nullopt;
   }
   const auto json = nlohmann::json::parse(files::read_text_file(summary), nullptr, false);
-  return json.is_object() && json.value("outline_by_strategy", false)
-             ? exports::read_outline_geojson(outline)
-             : std::nullopt;
+  const bool is_drawn =
+      json.is_object() && json.value("outline_by_strategy", nlohmann::json()) == true;
+  return is_drawn ? exports::read_outline_geojson(outline) : std::nullopt;
 }
 
 mapping::RasterMap read_raster(const std::filesystem::path& map) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <vector>
 
 #include "host/exploration/explorer.hpp"
 #include "host/geometry/angle.hpp"

@@ -33,6 +33,9 @@ Eigen::AlignedBox2d box_of(const MapPanel& panel) {
   for (const geometry::Pose2& pose : panel.path) {
     box.extend(pose.position_m());
   }
+  for (const Eigen::Vector2d& point_m : panel.points_m) {
+    box.extend(point_m);
+  }
   extend(panel.walls);
   extend(panel.true_walls);
   if (box.isEmpty()) {

@@ -36,13 +36,14 @@ std::vector<localization::RangeReading> picked_at_bearings(
     std::span<const double> bearings_rad) {
   const std::vector<localization::RangeReading> seen =
       evenly_picked(gathered, T_odom_robot, gathered.size());
+  constexpr double kMaxOffRad = 0.1;  // A step of a sweep of 6 degrees.
   std::vector<localization::RangeReading> readings;
   for (const double bearing_rad : bearings_rad) {
     const auto off_rad = [&](const localization::RangeReading& reading) {
       return std::abs(geometry::angle_between(bearing_rad, reading.T_robot_sensor.heading_rad()));
     };
     const auto nearest = std::ranges::min_element(seen, {}, off_rad);
-    if (nearest != seen.end()) {
+    if (nearest != seen.end() && off_rad(*nearest) <= kMaxOffRad) {
       readings.push_back(*nearest);
     }
   }

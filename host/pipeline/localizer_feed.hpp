@@ -30,8 +30,8 @@ std::vector<localization::RangeReading> evenly_picked(
     const geometry::Pose2& T_odom_robot,
     std::size_t most);
 
-/// For each bearing from the robot the reading whose axis is nearest to it, as above; none of an
-/// empty scan.
+/// For each bearing from the robot the reading whose axis is nearest to it, as above; none where
+/// that is more than 0.1 rad off.
 std::vector<localization::RangeReading> picked_at_bearings(
     std::span<const localization::RangeReading> gathered,
     const geometry::Pose2& T_odom_robot,

@@ -54,6 +54,8 @@ RobotLocalizer::RobotLocalizer(mapping::RasterMap map,
       .positive("step_rad", params.step_rad)
       .positive("scan_step_m", params.scan_step_m)
       .positive("scan_step_rad", params.scan_step_rad)
+      .positive("infrared_step_m", params.infrared_step_m)
+      .positive("infrared_step_rad", params.infrared_step_rad)
       .positive("max_readings", params.max_readings);
   validate(params.monitor);
   if (params.sensor) {
@@ -160,21 +162,23 @@ void RobotLocalizer::lose_pose() {
 }
 
 void RobotLocalizer::on_infrared(const sensors::InfraredObservation& observation) {
-  if (params_.T_robot_infrared.empty()) {
+  const std::vector<geometry::Pose2>& T_robot_sensors = params_.T_robot_infrared;
+  if (T_robot_sensors.empty() || observation.range_m.size() != T_robot_sensors.size()) {
     return;
   }
   T_odom_robot_ = odometry_.update(observation.travel);
   stamp_ = std::max(stamp_, observation.stamp);
   const bool is_due =
-      !T_odom_updated_ ||
+      !T_odom_infrared_ ||
       has_moved(
-          *T_odom_updated_, T_odom_robot_, params_.infrared_step_m, params_.infrared_step_rad);
+          *T_odom_infrared_, T_odom_robot_, params_.infrared_step_m, params_.infrared_step_rad);
   if (is_lifted_ || !is_due) {
     return;
   }
+  T_odom_infrared_ = T_odom_robot_;
   std::vector<localization::RangeReading> readings;
-  for (std::size_t i = 0; i < params_.T_robot_infrared.size(); ++i) {
-    readings.push_back({params_.T_robot_infrared[i], observation.range_m.at(i)});
+  for (std::size_t i = 0; i < T_robot_sensors.size(); ++i) {
+    readings.push_back({T_robot_sensors[i], observation.range_m[i]});
   }
   update(readings);
   begin_at_told_start();
@@ -193,9 +197,11 @@ void RobotLocalizer::add_contact(const models::ContactReading& contact) {
     return;
   }
   filter_->observation->add_contact(contact);
-  const bool touches = contact.bump_left || contact.bump_right || contact.virtual_wall;
-  const bool has_touched = std::exchange(touches_, touches);
-  if (!touches || has_touched || !T_odom_updated_) {
+  const models::ContactReading before = std::exchange(contact_, contact);
+  const bool begins = (contact.bump_left && !before.bump_left) ||
+                      (contact.bump_right && !before.bump_right) ||
+                      (contact.virtual_wall && !before.virtual_wall);
+  if (!begins || is_lifted_ || !T_odom_updated_) {
     return;
   }
   update({});

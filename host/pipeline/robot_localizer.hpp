@@ -74,7 +74,7 @@ class RobotLocalizer final : public ObservationSink {
   void on_odometry(const sensors::OdometryObservation& observation) override;
   /// Of a scan it updates the belief; between scans it helps to tell places apart at the next one.
   void on_sonar(const sensors::SonarObservation& observation) override;
-  /// Counts once a step where the robot is localized by infra-red.
+  /// Counts once a step where the robot has such sensors, if it has a range of each.
   void on_infrared(const sensors::InfraredObservation& observation) override;
   /// A wheel that hangs, or four cliffs at once, mean that the robot was lifted.
   void on_hazards(const sensors::HazardObservation& observation) override;
@@ -136,8 +136,9 @@ class RobotLocalizer final : public ObservationSink {
   std::unique_ptr<Filter> filter_;  ///< Once the sensor is known.
   sensors::WheelOdometry odometry_;
   geometry::Pose2 T_odom_robot_;
-  std::optional<geometry::Pose2> T_odom_updated_;  ///< Empty before the first observation.
-  std::optional<ToldStart> start_;                 ///< To begin with the first observation.
+  std::optional<geometry::Pose2> T_odom_updated_;   ///< Empty before the first observation.
+  std::optional<geometry::Pose2> T_odom_infrared_;  ///< At the last round that counted.
+  std::optional<ToldStart> start_;                  ///< To begin with the first observation.
   localization::LocalizerOutcome start_outcome_ = localization::LocalizerOutcome::kMoved;
   localization::PoseBelief belief_;
   time::RobotTime stamp_;
@@ -147,7 +148,7 @@ class RobotLocalizer final : public ObservationSink {
   std::vector<localization::RangeReading> on_the_way_;  ///< As these, since the last scan.
   bool scan_is_open_ = false;
   bool is_lifted_ = false;
-  bool touches_ = false;
+  models::ContactReading contact_;
   std::vector<StampedPose> trajectory_;
   std::size_t scans_ = 0;
   std::size_t updates_ = 0;

@@ -11,6 +11,7 @@ namespace {
 
 /// Of a stretch, in radii of the robot's body: 2 m of a Create, 0.4 m of an e-puck.
 constexpr double kStretchRadii = 12.0;
+constexpr double kStandS = 0.1;
 
 }  // namespace
 
@@ -34,19 +35,25 @@ void StrategyDrive::begin_new_map(std::size_t stops_elsewhere) {
 
 bool StrategyDrive::go_to_next_stop() {
   const double stretch_m = kStretchRadii * robot_.profile().body_radius_m;
-  double way_m = 0.0;
+  double travelled_m = 0.0;
   while (!robot_.session().end()) {
     const auto before = atlas_.pipeline().snapshot();
     const auto motion = explorer_->next(before, last_);
-    if (const auto* finished = std::get_if<exploration::Finished>(&motion)) {
+    const auto* finished = std::get_if<exploration::Finished>(&motion);
+    if (finished != nullptr && finished->reason == exploration::FinishReason::kLifted) {
+      robot_.move(exploration::Stand{kStandS});  // Waits until it is put down.
+      begin_new_map(0);
+      return !robot_.session().end();
+    }
+    if (finished != nullptr) {
       finished_ = finished->reason;
       return false;
     }
     last_ = robot_.move(motion);
-    way_m += (atlas_.pipeline().pose_estimate().T_map_robot.position_m() -
-              before.latest.T_map_robot.position_m())
-                 .norm();
-    if (std::holds_alternative<exploration::EndScan>(motion) || way_m >= stretch_m) {
+    travelled_m += (atlas_.pipeline().pose_estimate().T_map_robot.position_m() -
+                    before.latest.T_map_robot.position_m())
+                       .norm();
+    if (std::holds_alternative<exploration::EndScan>(motion) || travelled_m >= stretch_m) {
       return !robot_.session().end();
     }
   }

@@ -301,8 +301,16 @@ TEST_F(Localize, SaysWhatIsWrongBeforeARobotIsAsked) {
   const Ended no_map = localize({"--map=" + at("nowhere")});
   EXPECT_EQ(no_map.status, 2);
   EXPECT_THAT(no_map.said, HasSubstr("nowhere"));
-  const Ended no_sonar = localize({"--map=" + at("floorless"), "--robot=epuck"});
+  fs::create_directories(scratch / "room");
+  exports::write_pgm_yaml(scratch / "room/map.yaml", tests::map_from({"###", "#.#", "###"}));
+  const Ended no_sonar =
+      localize({"--map=" + at("room"), "--robot=epuck", "--preset=nxt", "--port=/dev/ttyNONE"});
   EXPECT_EQ(no_sonar.status, 6);
+  EXPECT_THAT(no_sonar.said, AllOf(HasSubstr("needs a sonar"), HasSubstr("next: ")));
+  const Ended strategy =
+      localize({"--map=" + at("room"), "--strategy=coastal", "--port=/dev/ttyNONE"});
+  EXPECT_EQ(strategy.status, 2);
+  EXPECT_THAT(strategy.said, HasSubstr("leave --strategy out"));
 }
 
 TEST_F(Localize, NamesAPortThatIsMissing) {

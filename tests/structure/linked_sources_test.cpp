@@ -20,7 +20,6 @@ using testing::IsEmpty;
 const std::vector<std::string> without_program{
     // The papers' experiments, which get a command of their own.
     "host/localization/landmark_matching.cpp",
-    "host/localization/place_recognition.cpp",
     // Put first into the flash by the linker script, for the ROM.
     "firmware/boards/rp2040/boot2.cpp",
     // Read by the sanitizers' runtime, called by nobody.

@@ -90,6 +90,9 @@ std::vector<std::string> statements_of(const std::string& script) {
 void add_preparations(const std::string& script, std::vector<Preparation>& preparations) {
   for (const std::string& statement : statements_of(script)) {
     const std::vector<std::string> words = words_of(statement);
+    if (words.empty()) {
+      continue;
+    }
     if (words.front() == "timeout" && !preparations.empty() && preparations.back().is_robot) {
       preparations.back().script += statement;
       continue;

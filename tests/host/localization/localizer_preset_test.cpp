@@ -156,7 +156,7 @@ TEST(LocalizerPreset, OursKeepsBothPlacesOfARingAlongWallsThatLookAlike) {
   };
   for (int lap = 0; lap < 3; ++lap) {
     for (const double side_m : {1.7, 0.8, 1.7, 0.8}) {
-      for (double way_m = 0.0; way_m < side_m; way_m += 0.1) {
+      for (double travelled_m = 0.0; travelled_m < side_m; travelled_m += 0.1) {
         step({0.1, 0.0, 0.0});
       }
       step({0.0, 0.0, 0.5 * std::numbers::pi});

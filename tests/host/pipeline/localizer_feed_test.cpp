@@ -44,6 +44,9 @@ TEST(LocalizerFeed, PicksTheReadingsNearestToBearings) {
   EXPECT_NEAR(*picked[0].range_m, 0.5, 1e-9) << "at 30 degrees";
   EXPECT_NEAR(*picked[1].range_m, 5.0, 1e-9) << "at 300 degrees";
   EXPECT_TRUE(picked_at_bearings({}, {}, bearings_rad).empty());
+  const auto half = std::span(gathered).first(30);
+  EXPECT_EQ(picked_at_bearings(half, {2.0, 0.0, 1.0}, bearings_rad).size(), 1U)
+      << "nothing was heard at 300 degrees";
 }
 
 TEST(LocalizerFeed, TakesAllWhereThereAreFew) {

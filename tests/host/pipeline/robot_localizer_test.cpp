@@ -299,6 +299,68 @@ TEST(RobotLocalizer, ClaimsADoubtedPlaceAgainWhereItsScansFit) {
   EXPECT_GT(doubted, 0);
 }
 
+/// One of infra-red sensors and bumpers, in the room.
+class FeelingRobotLocalizer : public ::testing::Test {
+ protected:
+  FeelingRobotLocalizer() {
+    params.sensor.emplace().by = localization::LocalizedBy::kInfrared;
+    params.sensor->max_range_m = 0.2;
+    params.T_robot_infrared = {Pose2(), Pose2(0.0, 0.0, 1.0)};
+    params.infrared_step_m = 0.1;
+    params.step_m = 0.1;
+    params.particles = 321;
+  }
+  void drive(RobotLocalizer& localizer, double to_m) const {
+    for (double travelled_m = 0.0; travelled_m < to_m; travelled_m += 0.01) {
+      localizer.on_odometry({{}, {travelled_m, travelled_m}});
+      localizer.on_infrared({{}, {travelled_m, travelled_m}, {0.1, std::nullopt}});
+    }
+  }
+  RobotLocalizer localizer() const {
+    return RobotLocalizer(kRoom, plain_robot(), params, std::mt19937(1));
+  }
+
+  RobotLocalizerParams params;
+};
+
+TEST_F(FeelingRobotLocalizer, CountsARoundOfInfraredAStepHoweverOftenTheWheelsTell) {
+  RobotLocalizer robot = localizer();
+  drive(robot, 0.955);
+  EXPECT_EQ(robot.scans(), 10U);
+  EXPECT_EQ(robot.trajectory().size(), 10U);
+}
+
+TEST_F(FeelingRobotLocalizer, LeavesOutARoundOfAnotherRing) {
+  RobotLocalizer robot = localizer();
+  robot.on_infrared({{}, {}, {0.1}});
+  EXPECT_EQ(robot.scans(), 0U);
+}
+
+TEST_F(FeelingRobotLocalizer, HasAsManyParticlesAsAreAskedFor) {
+  RobotLocalizer robot = localizer();
+  drive(robot, 0.05);
+  EXPECT_EQ(robot.sampled_poses(100'000).size(), 321U);
+}
+
+TEST_F(FeelingRobotLocalizer, CountsEachContactWhereItBegins) {
+  params.sensor->by = localization::LocalizedBy::kContacts;
+  RobotLocalizer robot = localizer();
+  drive(robot, 0.05);
+  const auto feel = [&](bool left, bool right, bool light) {
+    sensors::HazardObservation hazards;
+    hazards.bump_left = left;
+    hazards.bump_right = right;
+    hazards.virtual_wall = light;
+    robot.on_hazards(hazards);
+    return robot.scans();
+  };
+  EXPECT_EQ(feel(false, false, true), 1U);
+  EXPECT_EQ(feel(false, false, true), 1U) << "the same wall";
+  EXPECT_EQ(feel(true, false, true), 2U) << "a bump, while the light is seen";
+  EXPECT_EQ(feel(false, false, false), 2U);
+  EXPECT_EQ(feel(true, true, false), 3U);
+}
+
 TEST(RobotLocalizer, RejectsInvalidParameters) {
   auto bad = params();
   bad.max_readings = 0;
