@@ -82,17 +82,16 @@ LocalizerParams without_loss_monitor(LocalizerParams params) {
 /// Of the walls in the map of a robot that followed them, metres; as ContactParams has it.
 constexpr double kFollowedWallStddevM = 0.02;
 
-/// Ours, for a ring of infra-red sensors: lengths are in proportion to its reach. Most of its
-/// rounds along one wall say the same, and a field that is alike on both sides keeps both places
-/// only if they count for little.
+/// Ours, for a ring of infra-red sensors: lengths are in proportion to its reach. The correlation
+/// of a whole round counts as one reading.
 LocalizerParams infrared_params(const LocalizedRobot& robot) {
   LocalizerParams params = without_loss_monitor({});
   params.filter.min_particles = 3000;
-  params.filter.likelihood_exponent = 0.03;
+  params.filter.likelihood_exponent = 1.0;
   params.filter.spread_m = 0.05 * robot.max_range_m;
   params.filter.spread_rad = 0.02;
   params.lattice_m = robot.max_range_m / 3.0;
-  params.localized_stddev_m = 0.7 * robot.max_range_m;
+  params.localized_stddev_m = robot.max_range_m;
   params.step_m = 0.5 * robot.max_range_m;
   params.hypotheses.bin_m = robot.max_range_m;
   return params;
@@ -126,15 +125,13 @@ std::unique_ptr<ObservationModel> contact_model(const mapping::RasterMap& map,
   return std::make_unique<ContactModel>(outline_of_floor(map), robot.body_radius_m);
 }
 
-std::unique_ptr<ObservationModel> infrared_model(const mapping::RasterMap& map,
-                                                 const LocalizedRobot& robot) {
+std::unique_ptr<ObservationModel> wall_sensor_model(const mapping::RasterMap& map,
+                                                    const LocalizedRobot& robot) {
   PolygonViewParams view;
   view.max_range_m = robot.max_range_m;
   models::InfraredRangeParams range;
   range.max_range_m = robot.max_range_m;
-  if (robot.by == LocalizedBy::kContacts) {
-    range.near_stddev_m = kFollowedWallStddevM;
-  }
+  range.near_stddev_m = kFollowedWallStddevM;
   return std::make_unique<ViewModel<PolygonView, models::InfraredRange>>(
       map, PolygonView(outline_of_floor(map), view), models::InfraredRange(range));
 }
@@ -147,8 +144,19 @@ std::unique_ptr<ObservationModel> touch_model(const mapping::RasterMap& map,
   }
   std::vector<std::unique_ptr<ObservationModel>> models;
   models.push_back(contact_model(map, robot));
-  models.push_back(infrared_model(map, robot));
+  models.push_back(wall_sensor_model(map, robot));
   return std::make_unique<CombinedModel>(std::move(models));
+}
+
+/// The correlation of a round with the grid (Mahmood and Ridao 2017, section 3.3).
+std::unique_ptr<ObservationModel> grid_model(const mapping::RasterMap& map,
+                                             const LocalizedRobot& robot) {
+  CorrelationModelParams params;
+  params.cell_m = map.resolution_m();
+  params.sector.thickness_m = 2.0 * map.resolution_m();
+  params.sector.max_range_m = robot.max_range_m;
+  params.sector.beam_width_rad = std::max(2.0 * robot.beam_half_angle_rad, 0.0175);
+  return std::make_unique<CorrelationModel>(map, params);
 }
 
 std::unique_ptr<ObservationModel> default_model(const mapping::RasterMap& map,
@@ -157,7 +165,7 @@ std::unique_ptr<ObservationModel> default_model(const mapping::RasterMap& map,
     case LocalizedBy::kLaser:
       return std::make_unique<LikelihoodFieldModel>(map);
     case LocalizedBy::kInfrared:
-      return infrared_model(map, robot);
+      return grid_model(map, robot);
     case LocalizedBy::kContacts:
       return touch_model(map, robot);
     case LocalizedBy::kSonar:
@@ -191,16 +199,6 @@ std::unique_ptr<ObservationModel> nxt_model(const mapping::RasterMap& map,
       map, PointCloudView(occupied_points(map), cloud), models::GaussianRange(range));
 }
 
-std::unique_ptr<ObservationModel> epuck_model(const mapping::RasterMap& map,
-                                              const LocalizedRobot& robot) {
-  CorrelationModelParams params;
-  params.cell_m = map.resolution_m();
-  params.sector.thickness_m = 2.0 * map.resolution_m();
-  params.sector.max_range_m = robot.max_range_m;
-  params.sector.beam_width_rad = std::max(2.0 * robot.beam_half_angle_rad, 0.0175);
-  return std::make_unique<CorrelationModel>(map, params);
-}
-
 }  // namespace
 
 LocalizerParams localizer_params(LocalizerPreset preset, const LocalizedRobot& robot) {
@@ -226,7 +224,7 @@ std::unique_ptr<ObservationModel> observation_model(LocalizerPreset preset,
     case LocalizerPreset::kCreate:
       return contact_model(map, robot);
     case LocalizerPreset::kEpuck:
-      return epuck_model(map, robot);
+      return grid_model(map, robot);
     case LocalizerPreset::kDefault:
       break;
   }

@@ -108,6 +108,7 @@ void RobotLocalizer::begin_at_told_start() {
 
 void RobotLocalizer::start_anywhere() {
   on_the_way_.clear();
+  round_fit_.restart();
   if (filter_) {
     filter_->localizer.start_anywhere();
     filter_->monitor.start_anywhere();
@@ -182,9 +183,34 @@ void RobotLocalizer::on_infrared(const sensors::InfraredObservation& observation
   }
   update(readings);
   begin_at_told_start();
+  check_round(readings);
   scans_ += is_localized_by(LocalizedBy::kInfrared) ? 1 : 0;
   ++updates_;
   note_pose();
+}
+
+void RobotLocalizer::check_round(const std::vector<localization::RangeReading>& readings) {
+  if (!is_checked() || !is_localized_by(LocalizedBy::kInfrared) || belief_.hypotheses.empty()) {
+    return;
+  }
+  if (std::ranges::any_of(readings,
+                          [](const auto& reading) { return reading.range_m.has_value(); })) {
+    localization::Particles place;
+    place.resize(1);
+    place.set_pose(0, belief_.hypotheses.front().T_map_robot);
+    filter_->observation->update_weights(1.0F, {0, 1}, place);
+    round_fit_.add(static_cast<double>(place.log_weight[0]));
+  }
+  limit_by_rounds();
+}
+
+/// A place where rounds contradict the map is no claim, however sure the particles are.
+void RobotLocalizer::limit_by_rounds() {
+  constexpr double kDoubt = 0.5;
+  if (round_fit_.contradicts() && belief_.status == localization::LocalizationStatus::kLocalized) {
+    belief_.status = localization::LocalizationStatus::kRecovering;
+    belief_.lost_probability = std::max(belief_.lost_probability, kDoubt);
+  }
 }
 
 bool RobotLocalizer::is_localized_by(LocalizedBy sensor) const {
@@ -350,6 +376,7 @@ void RobotLocalizer::update(const std::vector<localization::RangeReading>& readi
   T_odom_updated_ = T_odom_robot_;
   belief_ = filter_->localizer.update(T_odom_robot_, readings);
   filter_->monitor.limit_confidence(belief_, T_odom_robot_);
+  limit_by_rounds();
 }
 
 void RobotLocalizer::note_pose() {

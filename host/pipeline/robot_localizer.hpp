@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/localization/localizer_preset.hpp"
+#include "host/localization/round_fit.hpp"
 #include "host/mapping/raster_map.hpp"
 #include "host/pipeline/localization_monitor.hpp"
 #include "host/pipeline/localizer_feed.hpp"
@@ -118,6 +119,9 @@ class RobotLocalizer final : public ObservationSink {
   bool is_late(const sensors::RangeScan& scan);
   void gather(const sensors::RangeScan& scan);
   void follow(time::RobotTime stamp, const sensors::WheelTravel& travel);
+  /// Judges the believed place by a round of infra-red.
+  void check_round(const std::vector<localization::RangeReading>& readings);
+  void limit_by_rounds();
   bool is_localized_by(localization::LocalizedBy sensor) const;
   void add_contact(const models::ContactReading& contact);
   void lose_pose();
@@ -149,6 +153,7 @@ class RobotLocalizer final : public ObservationSink {
   bool scan_is_open_ = false;
   bool is_lifted_ = false;
   models::ContactReading contact_;
+  localization::RoundFit round_fit_;
   std::vector<StampedPose> trajectory_;
   std::size_t scans_ = 0;
   std::size_t updates_ = 0;

@@ -79,8 +79,10 @@ TEST_F(LocalizePlaces, SaysThatNoLearnedPlaceFits) {
 }
 
 TEST_F(LocalizePlaces, RefusesASweepThatIsNotAllRound) {
-  files::write_text_file(scratch / "ahead.clf", "FLASER 3 1.0 1.1 1.2 0 0 0 0 0 0 0 robot 0\n");
-  options.log = scratch / "ahead.clf";
+  std::filesystem::remove_all(scratch / "learned");
+  std::filesystem::create_directories(scratch / "learned");
+  options.log = scratch / "learned/ahead.clf";
+  files::write_text_file(options.log, "FLASER 3 1.0 1.1 1.2 0 0 0 0 0 0 0 robot 0\n");
   options.format = "carmen";
   EXPECT_THAT(tests::thrown_text<console::CommandError>(
                   [&] { localize_in_places(options, scratch / "out"); }),
