@@ -20,6 +20,7 @@
 #include "host/files/atomic_file.hpp"
 #include "tests/host/transport/pty_pair.hpp"
 #include "tests/integration/programs.hpp"
+#include "tests/support/every_seed.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/simulated_time.hpp"
 
@@ -45,6 +46,9 @@ class HostGone : public ::testing::TestWithParam<Board> {
   void SetUp() override {
     if (!fs::exists(std::string(ECHOMAP_BINARY_DIR "/bin/") + GetParam().program)) {
       GTEST_SKIP() << GetParam().program << " was not built on this machine";
+    }
+    if (std::string(GetParam().name) == "mega" && !tests::runs_every_seed()) {
+      GTEST_SKIP() << "left to ./run test --full: the Uno runs the same firmware";
     }
   }
 
