@@ -330,6 +330,19 @@ TEST_F(FeelingRobotLocalizer, CountsARoundOfInfraredAStepHoweverOftenTheWheelsTe
   EXPECT_EQ(robot.trajectory().size(), 10U);
 }
 
+/// On free floor, while its sensors see a wall.
+TEST_F(FeelingRobotLocalizer, DoesNotClaimAPlaceThatItsRoundsContradict) {
+  for (const bool sees_walls : {false, true}) {
+    RobotLocalizer robot = localizer();
+    robot.start_at({1.2, 1.2, 0.0}, 0.01, 0.01);
+    for (double travelled_m = 0.0; travelled_m < 0.5; travelled_m += 0.01) {
+      const auto range_m = sees_walls ? std::optional(0.1) : std::nullopt;
+      robot.on_infrared({{}, {travelled_m, travelled_m}, {range_m, range_m}});
+    }
+    EXPECT_EQ(robot.belief().status == LocalizationStatus::kLocalized, !sees_walls);
+  }
+}
+
 TEST_F(FeelingRobotLocalizer, LeavesOutARoundOfAnotherRing) {
   RobotLocalizer robot = localizer();
   robot.on_infrared({{}, {}, {0.1}});
