@@ -207,7 +207,8 @@ void add_replay(CLI::App& app, CommandAction& action) {
   command
       ->add_option("--resolution",
                    options->resolution_m,
-                   "Edge of a cell of grid and polygon in metres; below 0.01 it takes long")
+                   "Edge of a cell of grid and polygon in metres, 0.01 by default for what is only "
+                   "felt; below that ranges take long")
       ->check(CLI::Range(0.001, 1.0))
       ->capture_default_str();
   add_played_part(*command, *options);

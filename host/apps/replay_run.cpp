@@ -38,14 +38,19 @@ std::string name_beside(const fs::path& log) {
   return (run.has_filename() ? run : run.parent_path()).filename().string() + "_again";
 }
 
-/// Why a recording is not played; empty where it is.
-std::string reason_against(const ReplayOptions& options) {
+bool has_own_cells(const ReplayOptions& options) {
+  return options.resolution_m != ReplayOptions().resolution_m;
+}
+
+/// Why a recording is not played; empty where it is. What is only felt is mapped in any cells.
+std::string reason_against(const ReplayOptions& options, const fs::path& file) {
   const ReplayOptions usual;
   if (!options.format.empty()) {
     return "--format names its echoes alone";
   }
+  const auto has_sonar = [&] { return profile_of(recording::SessionReader(file)).has_sonar; };
   if (options.map != usual.map || options.poses != usual.poses ||
-      options.resolution_m != usual.resolution_m) {
+      (has_own_cells(options) && has_sonar())) {
     return "--map, --poses or --resolution asks for another map";
   }
   if (!options.slam.empty() && !slam::slam_by_name(options.slam).takes_cones) {
@@ -296,7 +301,7 @@ bool plays_recording(const ReplayOptions& options) {
   if (!file) {
     return false;
   }
-  const std::string reason = reason_against(options);
+  const std::string reason = reason_against(options, *file);
   if (!reason.empty()) {
     throw_if_without_echoes(options.log, *file);
     console::print("the map will differ from the run's: " + reason +
@@ -315,7 +320,8 @@ console::ExitCode replay_run(const ReplayOptions& options) {
   throw_if_without_map(recording);
   const session::RobotProfile profile = profile_of(recording);
   const std::string slam = slam_of(options, profile, recording);
-  pipeline::RobotAtlas atlas = session::atlas_for(profile, slam);
+  pipeline::RobotAtlas atlas = session::atlas_for(
+      profile, slam, {}, has_own_cells(options) ? options.resolution_m : session::kNearCellM);
   pipeline::ObservationFork fork;
   fork.add(atlas);
   const auto live = options.live.serves

@@ -152,8 +152,10 @@ std::unique_ptr<ObservationModel> touch_model(const mapping::RasterMap& map,
 std::unique_ptr<ObservationModel> grid_model(const mapping::RasterMap& map,
                                              const LocalizedRobot& robot) {
   CorrelationModelParams params;
-  params.cell_m = map.resolution_m();
-  params.sector.thickness_m = 2.0 * map.resolution_m();
+  // In a map of millimetres a ring's round needs no more cells than it has precision.
+  const double precision_m = robot.by == LocalizedBy::kInfrared ? 0.1 * robot.max_range_m : 0.0;
+  params.cell_m = std::max(map.resolution_m(), precision_m);
+  params.sector.thickness_m = 2.0 * params.cell_m;
   params.sector.max_range_m = robot.max_range_m;
   params.sector.beam_width_rad = std::max(2.0 * robot.beam_half_angle_rad, 0.0175);
   return std::make_unique<CorrelationModel>(map, params);

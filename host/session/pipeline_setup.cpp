@@ -6,14 +6,6 @@
 #include "host/slam/slam_methods.hpp"
 
 namespace echomap::session {
-namespace {
-
-/// Cells of a map that is only felt: sensors of a few centimetres tell a wall's place to some
-/// millimetres, a sonar to some centimetres.
-constexpr double kNearResolutionM = 0.01;
-
-}  // namespace
-
 std::vector<std::string> live_slam_names() {
   std::vector<std::string> names{kNoSlam};
   for (const slam::NamedSlam& method : slam::slam_methods()) {
@@ -30,7 +22,9 @@ mapping::SonarSurfaceParams surface_params(const RobotProfile& profile) {
   return params;
 }
 
-pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::string& slam) {
+pipeline::RobotPipeline pipeline_for(const RobotProfile& profile,
+                                     const std::string& slam,
+                                     double near_cell_m) {
   mapping::SonarMapperParams params;
   mapping::ContactMapperParams near;
   if (profile.has_sonar) {
@@ -39,7 +33,7 @@ pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::str
     double& faced_m = params.features.completion.faced_range_m;
     faced_m = std::min(faced_m, sure_range_m(profile));
   } else {
-    params.grid.resolution_m = kNearResolutionM;
+    params.grid.resolution_m = near_cell_m;
   }
   near.body_radius_m = profile.body_radius_m;
   if (profile.sensors.infrared_curve) {
@@ -55,8 +49,10 @@ pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::str
 
 pipeline::RobotAtlas atlas_for(const RobotProfile& profile,
                                const std::string& slam,
-                               const pipeline::RobotAtlasParams& params) {
-  return pipeline::RobotAtlas([&profile, slam] { return pipeline_for(profile, slam); }, params);
+                               const pipeline::RobotAtlasParams& params,
+                               double near_cell_m) {
+  return pipeline::RobotAtlas(
+      [&profile, slam, near_cell_m] { return pipeline_for(profile, slam, near_cell_m); }, params);
 }
 
 }  // namespace echomap::session

@@ -20,13 +20,20 @@ std::vector<std::string> live_slam_names();
 /// How a robot of this profile hears surfaces.
 mapping::SonarSurfaceParams surface_params(const RobotProfile& profile);
 
+/// Cells of a map that is only felt: sensors of a few centimetres tell a wall's place to some
+/// millimetres, a sonar to some centimetres.
+inline constexpr double kNearCellM = 0.01;
+
 /// An empty pipeline for what the robot senses. The SLAM method of that name places a robot with a
-/// sonar; "none" leaves it to its odometry.
-pipeline::RobotPipeline pipeline_for(const RobotProfile& profile, const std::string& slam);
+/// sonar; "none" leaves it to its odometry. One without a sonar has cells of `near_cell_m`.
+pipeline::RobotPipeline pipeline_for(const RobotProfile& profile,
+                                     const std::string& slam,
+                                     double near_cell_m = kNearCellM);
 
 /// An atlas of such pipelines. The profile outlives it.
 pipeline::RobotAtlas atlas_for(const RobotProfile& profile,
                                const std::string& slam,
-                               const pipeline::RobotAtlasParams& params = {});
+                               const pipeline::RobotAtlasParams& params = {},
+                               double near_cell_m = kNearCellM);
 
 }  // namespace echomap::session

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "host/exports/pgm_yaml.hpp"
 #include "host/exports/trajectory_tum.hpp"
 #include "host/files/atomic_file.hpp"
 #include "tests/integration/programs.hpp"
@@ -109,6 +110,10 @@ TEST_F(LocalizeWithoutSonar, FindsAnEpuckInItsOwnMapOfTheField) {
       echomap({"localize", at("field"), "--map=" + at("field"), "--out=" + at("found")});
   ASSERT_EQ(ended.status, 0) << ended.said;
   EXPECT_LT(error_m("field", scratch / "field/truth/truth.tum"), 0.03);
+  const Ended fine = echomap(
+      {"replay", at("field"), "--resolution=0.001", "--force", "--out=" + at("millimetres")});
+  ASSERT_EQ(fine.status, 0) << fine.said;
+  EXPECT_EQ(exports::read_pgm_yaml(scratch / "millimetres/map.yaml").resolution_m(), 0.001);
   const Ended by_paper = echomap({"localize",
                                   at("field"),
                                   "--map=" + at("field"),

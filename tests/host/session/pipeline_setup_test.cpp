@@ -16,5 +16,16 @@ TEST(PipelineSetup, PlacesARobotWithASonarBySlam) {
   EXPECT_EQ(pipeline_for(load_robot_profile("create"), "multiscan").slam(), nullptr);
 }
 
+TEST(PipelineSetup, MapsWhatIsOnlyFeltInTheCellsThatAreAskedFor) {
+  const auto cell_m = [](const char* robot, double near_cell_m) {
+    return pipeline_for(load_robot_profile(robot), "none", near_cell_m)
+        .snapshot()
+        .grid->resolution_m();
+  };
+  EXPECT_EQ(cell_m("epuck", 0.001), 0.001);
+  EXPECT_EQ(cell_m("epuck", kNearCellM), 0.01);
+  EXPECT_NE(cell_m("uno_2wd", 0.001), 0.001) << "it has a sonar";
+}
+
 }  // namespace
 }  // namespace echomap::session
