@@ -273,7 +273,6 @@ ExitCode localize_robot(const LocalizeOptions& options, const std::filesystem::p
   RobotProfile profile = session::load_robot_profile(run.robot);
   const StrategyOptions strategy = strategy_for(profile, options);
   strategies::validate_fit(profile, strategy);
-  validate_slam(run, profile);
   const bool drives_by_map = is_driven_by_map(profile, options.preset);
   session::RobotContext context(std::move(profile), session::Seed(run.seed));
   const auto map = options.filter == "mcl" ? std::optional(read_map(options.map)) : std::nullopt;

@@ -150,14 +150,11 @@ std::string record_of(localization::LocalizerPreset preset) {
   switch (preset) {
     case localization::LocalizerPreset::kNxt:
       return "with the paper's numbers 6 of 60 simulated runs in an empty room ended within 15 cm "
-             "of "
-             "the robot or of its twin half a turn away, all within a millimetre of each other";
+             "of the robot or of its twin half a turn away";
     case localization::LocalizerPreset::kCreate:
       return "with the paper's numbers 1 of 10 simulated runs ended within 15 cm of the robot";
     case localization::LocalizerPreset::kEpuck:
-      return "with the paper's numbers 48 of 80 simulated runs in its field ended within 3 cm of "
-             "the "
-             "robot";
+      return "with the paper's numbers 48 of 80 simulated runs ended within 3 cm of the robot";
     case localization::LocalizerPreset::kDefault:
       break;
   }
@@ -293,9 +290,8 @@ RunEnding ending_of_preset(localization::LocalizerPreset preset,
   }
   ending.code = ExitCode::kUnfinished;
   ending.why = fmt::format(
-      "the particles of preset {} agree, but a paper's settings cannot tell whether they are "
-      "right: "
-      "{}",
+      "the particles of preset {} agree, but a paper's settings cannot tell whether they are right:"
+      " {}",
       pipeline::name_of(preset),
       record_of(preset));
   ending.next = "leave --preset out, to know how sure it is: " + console::shell_line(localize);

@@ -120,12 +120,13 @@ mapping::PolygonMap outline_of_floor(const mapping::RasterMap& map) {
   return *outline;
 }
 
-std::unique_ptr<ObservationModel> contact_model(const mapping::RasterMap& map,
+std::unique_ptr<ObservationModel> contact_model(const mapping::PolygonMap& outline,
                                                 const LocalizedRobot& robot) {
-  return std::make_unique<ContactModel>(outline_of_floor(map), robot.body_radius_m);
+  return std::make_unique<ContactModel>(outline, robot.body_radius_m);
 }
 
 std::unique_ptr<ObservationModel> wall_sensor_model(const mapping::RasterMap& map,
+                                                    const mapping::PolygonMap& outline,
                                                     const LocalizedRobot& robot) {
   PolygonViewParams view;
   view.max_range_m = robot.max_range_m;
@@ -133,18 +134,19 @@ std::unique_ptr<ObservationModel> wall_sensor_model(const mapping::RasterMap& ma
   range.max_range_m = robot.max_range_m;
   range.near_stddev_m = kFollowedWallStddevM;
   return std::make_unique<ViewModel<PolygonView, models::InfraredRange>>(
-      map, PolygonView(outline_of_floor(map), view), models::InfraredRange(range));
+      map, PolygonView(outline, view), models::InfraredRange(range));
 }
 
 /// Of a robot with bumpers, and with a wall sensor where it has one.
 std::unique_ptr<ObservationModel> touch_model(const mapping::RasterMap& map,
                                               const LocalizedRobot& robot) {
+  const mapping::PolygonMap outline = outline_of_floor(map);
   if (robot.max_range_m == 0.0) {
-    return contact_model(map, robot);
+    return contact_model(outline, robot);
   }
   std::vector<std::unique_ptr<ObservationModel>> models;
-  models.push_back(contact_model(map, robot));
-  models.push_back(wall_sensor_model(map, robot));
+  models.push_back(contact_model(outline, robot));
+  models.push_back(wall_sensor_model(map, outline, robot));
   return std::make_unique<CombinedModel>(std::move(models));
 }
 
@@ -224,7 +226,7 @@ std::unique_ptr<ObservationModel> observation_model(LocalizerPreset preset,
     case LocalizerPreset::kNxt:
       return nxt_model(map, robot);
     case LocalizerPreset::kCreate:
-      return contact_model(map, robot);
+      return contact_model(outline_of_floor(map), robot);
     case LocalizerPreset::kEpuck:
       return grid_model(map, robot);
     case LocalizerPreset::kDefault:
